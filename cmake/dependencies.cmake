@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: Apache-2.0
+# Everything the project links, from Debian 12; cmake/debian_packages.txt names the packages.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fastcdr REQUIRED)
+find_package(fastrtps 2.9 REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Threads REQUIRED)
+
+find_path(ODE_INCLUDE_DIR ode/ode.h REQUIRED)
+find_library(ODE_LIBRARY ode REQUIRED)
+add_library(caravan_ode INTERFACE)
+target_include_directories(caravan_ode SYSTEM INTERFACE ${ODE_INCLUDE_DIR})
+target_link_libraries(caravan_ode INTERFACE ${ODE_LIBRARY})
+target_compile_definitions(caravan_ode INTERFACE dIDEDOUBLE)

@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+# caravan_idl_library(NAME FILES...): DDS type support generated at build time; nothing generated is committed.
+find_program(FASTDDSGEN fastddsgen REQUIRED)
+
+function(caravan_idl_library name)
+  cmake_parse_arguments(arg "" "" "FILES" ${ARGN})
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/generated)
+  file(MAKE_DIRECTORY ${out})
+  set(sources)
+  foreach(file IN LISTS arg_FILES)
+    get_filename_component(stem ${file} NAME_WE)
+    set(made ${out}/${stem}.cxx ${out}/${stem}PubSubTypes.cxx)
+    set(headers ${out}/${stem}.h ${out}/${stem}PubSubTypes.h)
+    # -replace: without it a stale output is kept silently. The included files are named so that a change in one regenerates all.
+    add_custom_command(OUTPUT ${made} ${headers}
+      COMMAND ${FASTDDSGEN} -typeros2 -replace -I ${CMAKE_CURRENT_SOURCE_DIR} -d ${out} ${CMAKE_CURRENT_SOURCE_DIR}/${file} > ${out}/${stem}.log
+      DEPENDS ${arg_FILES}
+      COMMENT "fastddsgen ${file}" VERBATIM)
+    list(APPEND sources ${made} ${headers})
+  endforeach()
+  add_library(${name} STATIC ${sources})
+  target_include_directories(${name} SYSTEM PUBLIC ${out})
+  target_link_libraries(${name} PUBLIC fastrtps fastcdr)
+endfunction()

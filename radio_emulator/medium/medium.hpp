@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace caravan::radio {
+
+/// The medium's rules. TOML table `[radio]`.
+struct MediumConfig {
+  double range_m = 2.0;                     ///< a frame arrives iff distance(sender, receiver) <= range_m
+  std::uint32_t channel_count = 1U << 20U;  ///< channels are 0 .. channel_count - 1
+  std::uint32_t mtu_bytes = 250;            ///< longer frames are refused
+  std::uint32_t queue_length =
+      64;  ///< frames that one receiver takes in a step; the newest beyond it are dropped
+  double loss_probability = 0.0;  ///< for each frame and receiver independently, in [0, 1]
+  std::uint64_t seed = 1;         ///< same seed, same losses
+};
+
+/// A member of the step and where it is, frame W, metres.
+struct Station {
+  std::uint32_t robot = 0;
+  double x_m = 0.0;
+  double y_m = 0.0;
+};
+
+struct Frame {
+  std::uint32_t channel = 0;
+  std::vector<std::uint8_t> bytes;
+  bool operator==(const Frame&) const = default;
+};
+
+/// What one robot hands to its radio in a step. The emulator knows who sent it; nothing in the bytes can
+/// change that.
+struct Transmission {
+  std::uint32_t robot = 0;
+  std::uint32_t tuned = 0;  ///< the channel it listens on
+  std::vector<Frame> frames;
+};
+
+/// What one robot receives, sorted by sender, then in the order of sending.
+struct Reception {
+  std::uint32_t robot = 0;
+  std::vector<Frame> frames;
+};
+
+struct Drops {
+  std::uint64_t over_mtu = 0;
+  std::uint64_t bad_channel = 0;
+  std::uint64_t lost = 0;  ///< by loss_probability
+  std::uint64_t queue_full = 0;
+};
+
+/// The air of one step. Pure: equal arguments, equal result.
+///
+/// A frame reaches every other station within range that is tuned to its channel now. Nothing else is
+/// modelled: no obstacle, collision or interference. Losses are drawn from (seed, step, sender, receiver,
+/// index of the frame), so that one frame more or less changes the fate of no other.
+///
+/// @param stations       the step's members, any order; a transmission of a robot that is not among them is
+/// ignored
+/// @param transmissions  at most one for each robot, any order; a station without one hears and sends nothing
+/// @param drops          counted up
+/// @return only robots that receive something, sorted by id
+[[nodiscard]] std::vector<Reception> deliver(const MediumConfig& config, std::uint64_t step,
+                                             std::span<const Station> stations,
+                                             std::span<const Transmission> transmissions, Drops& drops);
+
+}  // namespace caravan::radio

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robot_agent/core/config.hpp"
+#include "runtime/config/toml_table.hpp"
+
+namespace caravan::agent {
+
+/// Reads `[robots] [radio] [algorithm]` and `seed`, never `[world]`.
+/// @throws StartError also when `robot` is not 1 .. robots.count
+[[nodiscard]] Config load_config(const runtime::TomlDocument& scenario, std::uint32_t robot);
+
+}  // namespace caravan::agent

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "robot_agent/core/config.hpp"
+#include "robot_agent/core/path/path.hpp"
+
+namespace caravan::agent {
+
+/// What the radio side of an agent needs to know in a step.
+struct AirInputs {
+  Time now{0};
+  std::span<const Frame> heard;
+  /// The path to give: driven sections only. Empty: this robot has none (mode EXPLORE).
+  const Path& own_path;
+};
+
+/// What it decides.
+struct AirOutputs {
+  std::vector<Frame> frames;  ///< WAIT first, then at most one negotiation or session frame, then rejections
+  Channel tuned;
+  bool stand_still = false;  ///< negotiating or in session: the robot must stop
+  bool robot_near =
+      false;  ///< a WAIT of another robot was heard in this step (remembered for 0.2 s while tuned away)
+  std::optional<Path> received;  ///< a partner's whole path, once, when it is complete
+  std::vector<Exchange> ended;   ///< attempts that ended in this step
+};
+
+/// The radio side of an agent: presence (WAIT), pairing (Algorithms 5 and 6) and path exchange.
+/// docs/protocol.md is normative.
+///
+/// Presence works in every sharing mode; pairing begins at config.sharing_starts. Whatever arrives, or does
+/// not, it stands still for at most accept_attempts * accept_period + session_timer at a time.
+class Communication {
+ public:
+  explicit Communication(const Config& config);
+  ~Communication();
+  Communication(Communication&&) noexcept;
+  Communication& operator=(Communication&&) noexcept;
+
+  [[nodiscard]] AirOutputs step(const AirInputs& inputs);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace caravan::agent

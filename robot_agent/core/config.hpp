@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+
+#include "robot_agent/core/types.hpp"
+
+namespace caravan::agent {
+
+/// The paper's three communication modes (section 4).
+enum class Sharing : std::uint8_t { kNone, kPartial, kFull };
+
+/// Everything one agent is told before it starts. Defaults are the paper's text values where it gives one.
+struct Config {
+  RobotId id{1};
+  std::uint64_t seed = 1;
+
+  // The task. `destination` is read by sees_destination() only: sight of it is simulated by distance, as in
+  // the paper.
+  Point source{0.0, 0.0};
+  Point destination{0.0, 0.0};
+  double service_radius_m = 1.5;
+
+  // The body.
+  double wheel_limit_mps = 1.6;
+  double track_m = 0.330;
+
+  // Driving.
+  double cruise_mps = 0.975;
+  double slow_mps = 0.29;
+  double slow_below_m = 1.0;  ///< an echo ahead nearer than this: slow
+  double too_close_m = 0.5;   ///< nearer than this: avoid
+  double arrival_radius_m = 1.0;
+
+  // Path record and smoothing (Algorithm 4).
+  double point_spacing_m = 1.0;
+  double vision_radius_m = 6.0;
+  double detection_radius_m = 4.0;  ///< the destination is seen within it
+
+  // Communication (Algorithms 5 to 7).
+  Sharing sharing = Sharing::kFull;
+  std::chrono::nanoseconds sharing_starts = std::chrono::minutes{15};
+  std::chrono::nanoseconds recontact_after = std::chrono::minutes{10};
+  std::chrono::nanoseconds wait_period{0};  ///< between WAIT frames; 0: every step
+  std::chrono::nanoseconds accept_period = std::chrono::seconds{1};
+  std::uint32_t accept_attempts = 8;
+  std::chrono::nanoseconds session_timer = std::chrono::seconds{10};
+  std::uint32_t points_per_frame = 20;
+  std::uint32_t channel_count = 1U << 20U;
+  std::uint32_t mtu_bytes = 250;
+};
+
+}  // namespace caravan::agent

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/config/toml_table.hpp"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace caravan::runtime {
+namespace {
+
+constexpr std::array<std::string_view, 7> kRootKeys = {"name",  "seed",      "world",     "robots",
+                                                       "radio", "algorithm", "experiment"};
+
+std::string at_line(const std::string& file, const toml::node* node) {
+  if (node == nullptr || node->source().begin.line == 0) return file;
+  return file + ":" + std::to_string(node->source().begin.line);
+}
+
+std::string in_words(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+std::string out_of_range(double value, Range range) {
+  const bool has_low = range.low > -std::numeric_limits<double>::max();
+  const bool has_high = range.high < std::numeric_limits<double>::max();
+  const std::string is = ", is " + in_words(value);
+  if (range.low == kPositive.low && !has_high) return "must be above 0" + is;
+  if (has_low && has_high) return "must be " + in_words(range.low) + " to " + in_words(range.high) + is;
+  return has_low ? "must be at least " + in_words(range.low) + is
+                 : "must be at most " + in_words(range.high) + is;
+}
+
+/// The number in `node`, or what is wrong with it.
+std::optional<double> number_in(const toml::node& node, Range range, std::string& wrong) {
+  const auto value = node.value<double>();
+  if (!node.is_number() || !value) {
+    wrong = "must be a number";
+  } else if (!std::isfinite(*value)) {
+    wrong = "must be finite";
+  } else if (*value < range.low || *value > range.high) {
+    wrong = out_of_range(*value, range);
+  } else {
+    return value;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::array<double, 2>> pair_in(const toml::node& node, Range range, std::string& wrong) {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->size() != 2) {
+    wrong = "must be a pair of numbers [x, y]";
+    return std::nullopt;
+  }
+  const auto x = number_in(*array->get(0), range, wrong);
+  if (!x) return std::nullopt;
+  const auto y = number_in(*array->get(1), range, wrong);
+  if (!y) return std::nullopt;
+  return std::array<double, 2>{*x, *y};
+}
+
+}  // namespace
+
+TomlTable::TomlTable(std::string file, std::string name, const toml::table* table)
+    : file_{std::move(file)}, name_{std::move(name)}, table_{table} {}
+
+const toml::node* TomlTable::find(std::string_view key) {
+  asked_.emplace(key);
+  return table_ == nullptr ? nullptr : table_->get(key);
+}
+
+bool TomlTable::has(std::string_view key) const { return table_ != nullptr && table_->contains(key); }
+
+void TomlTable::fail_at(const toml::node* node, std::string_view key, const std::string& reason) const {
+  const std::string full = name_.empty() ? std::string{key} : name_ + "." + std::string{key};
+  throw StartError{at_line(file_, node) + ": " + full + ": " + reason};
+}
+
+void TomlTable::fail(std::string_view key, const std::string& reason) const {
+  const toml::node* node = table_ == nullptr ? nullptr : table_->get(key);
+  fail_at(node == nullptr ? table_ : node, key, reason);
+}
+
+void TomlTable::read(std::string_view key, double& value, Range range) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  std::string wrong;
+  const auto number = number_in(*node, range, wrong);
+  if (!number) fail_at(node, key, wrong);
+  value = *number;
+}
+
+void TomlTable::read(std::string_view key, std::uint32_t& value, Range range) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const auto whole = node->value_exact<std::int64_t>();
+  if (!whole) fail_at(node, key, "must be a whole number");
+  const auto number = static_cast<double>(*whole);
+  if (number < range.low || number > range.high) fail_at(node, key, out_of_range(number, range));
+  value = static_cast<std::uint32_t>(*whole);
+}
+
+void TomlTable::read(std::string_view key, std::uint64_t& value) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const auto whole = node->value_exact<std::int64_t>();
+  if (!whole || *whole < 0) fail_at(node, key, "must be a whole number of 0 or more");
+  value = static_cast<std::uint64_t>(*whole);
+}
+
+void TomlTable::read(std::string_view key, bool& value) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const auto flag = node->value_exact<bool>();
+  if (!flag) fail_at(node, key, "must be true or false");
+  value = *flag;
+}
+
+void TomlTable::read(std::string_view key, std::string& value) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const auto text = node->value_exact<std::string>();
+  if (!text) fail_at(node, key, "must be a text in quotes");
+  value = *text;
+}
+
+void TomlTable::read(std::string_view key, std::array<double, 2>& value, Range range) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  std::string wrong;
+  const auto pair = pair_in(*node, range, wrong);
+  if (!pair) fail_at(node, key, wrong);
+  value = *pair;
+}
+
+void TomlTable::read(std::string_view key, std::vector<std::array<double, 2>>& value) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) fail_at(node, key, "must be a list of pairs [[x, y], ...]");
+  value.clear();
+  for (const toml::node& element : *array) {
+    std::string wrong;
+    const auto pair = pair_in(element, {}, wrong);
+    if (!pair) fail_at(&element, key, wrong);
+    value.push_back(*pair);
+  }
+}
+
+void TomlTable::read_choice(std::string_view key, std::size_t& value,
+                            std::initializer_list<std::string_view> words) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const auto text = node->value_exact<std::string>();
+  const auto* found = text ? std::find(words.begin(), words.end(), *text) : words.end();
+  if (found == words.end()) {
+    std::string list;
+    for (const std::string_view word : words)
+      list += (list.empty() ? "\"" : ", \"") + std::string{word} + "\"";
+    fail_at(node, key, "must be one of " + list);
+  }
+  value = static_cast<std::size_t>(found - words.begin());
+}
+
+TomlTable TomlTable::table(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node != nullptr && !node->is_table()) fail_at(node, key, "must be a table");
+  return {file_, name_.empty() ? std::string{key} : name_ + "." + std::string{key},
+          node == nullptr ? nullptr : node->as_table()};
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) {
+  std::vector<TomlTable> result;
+  const toml::node* node = find(key);
+  if (node == nullptr) return result;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) fail_at(node, key, "must be an array of tables");
+  for (const toml::node& element : *array) {
+    if (!element.is_table()) fail_at(&element, key, "must be an array of tables");
+    result.emplace_back(file_, name_ + "." + std::string{key}, element.as_table());
+  }
+  return result;
+}
+
+void TomlTable::refuse_unknown() const {
+  if (table_ == nullptr) return;
+  for (const auto& [key, node] : *table_) {
+    if (!asked_.contains(key.str())) fail_at(&node, key.str(), "unknown key");
+  }
+}
+
+TomlDocument::TomlDocument(std::string file, std::shared_ptr<const toml::table> tree)
+    : file_{std::move(file)}, tree_{std::move(tree)} {
+  for (const auto& [key, node] : *tree_) {
+    if (std::find(kRootKeys.begin(), kRootKeys.end(), key.str()) == kRootKeys.end()) {
+      throw StartError{at_line(file_, &node) + ": " + std::string{key.str()} + ": unknown key"};
+    }
+  }
+}
+
+TomlDocument TomlDocument::load(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    throw StartError{file.string() + ": no such scenario file"};
+  }
+  try {
+    return {file.string(), std::make_shared<const toml::table>(toml::parse_file(file.string()))};
+  } catch (const toml::parse_error& wrong) {
+    throw StartError{file.string() + ":" + std::to_string(wrong.source().begin.line) + ": " +
+                     std::string{wrong.description()}};
+  }
+}
+
+TomlDocument TomlDocument::parse(std::string_view text, std::string name) {
+  try {
+    return {name, std::make_shared<const toml::table>(toml::parse(text))};
+  } catch (const toml::parse_error& wrong) {
+    throw StartError{name + ":" + std::to_string(wrong.source().begin.line) + ": " +
+                     std::string{wrong.description()}};
+  }
+}
+
+TomlTable TomlDocument::root() const { return {file_, "", tree_.get()}; }
+
+TomlTable TomlDocument::table(std::string_view name) const { return root().table(name); }
+
+}  // namespace caravan::runtime

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/config/start_error.hpp"
+
+namespace toml {
+inline namespace v3 {
+class table;
+class node;
+}  // namespace v3
+}  // namespace toml
+
+namespace caravan::runtime {
+
+/// What a number may be, ends included.
+struct Range {
+  double low = -std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::max();
+};
+inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::max()};
+/// Above zero by more than rounding.
+inline constexpr Range kPositive{1e-9, std::numeric_limits<double>::max()};
+
+/// One table of a scenario, read strictly: a value of the wrong type or out of range, and after reading every
+/// key that nobody asked for, is a StartError `file:line: table.key: reason`. A missing key leaves the
+/// default.
+class TomlTable {
+ public:
+  TomlTable(std::string file, std::string name, const toml::table* table);
+
+  void read(std::string_view key, double& value, Range range = {});
+  void read(std::string_view key, std::uint32_t& value, Range range = {0, 4294967295.0});
+  void read(std::string_view key, std::uint64_t& value);
+  void read(std::string_view key, bool& value);
+  void read(std::string_view key, std::string& value);
+  /// A pair of numbers [x, y].
+  void read(std::string_view key, std::array<double, 2>& value, Range range = {});
+  /// A list of such pairs.
+  void read(std::string_view key, std::vector<std::array<double, 2>>& value);
+  /// One of the given words; sets `value` to its index.
+  void read_choice(std::string_view key, std::size_t& value, std::initializer_list<std::string_view> words);
+
+  [[nodiscard]] bool has(std::string_view key) const;
+  /// The sub-table `[name.key]`; empty when absent.
+  [[nodiscard]] TomlTable table(std::string_view key);
+  /// The array of tables `[[name.key]]`; empty when absent.
+  [[nodiscard]] std::vector<TomlTable> tables(std::string_view key);
+
+  /// To be called when all keys have been read. @throws StartError for a key that none of the reads named
+  void refuse_unknown() const;
+  /// For checks across keys. @throws StartError at the line of `key`
+  [[noreturn]] void fail(std::string_view key, const std::string& reason) const;
+
+ private:
+  const toml::node* find(std::string_view key);
+  [[noreturn]] void fail_at(const toml::node* node, std::string_view key, const std::string& reason) const;
+
+  std::string file_;
+  std::string name_;          // "" for the root
+  const toml::table* table_;  // null: absent in the file
+  std::set<std::string, std::less<>> asked_;
+};
+
+/// A parsed scenario file. Cheap to copy.
+class TomlDocument {
+ public:
+  /// @throws StartError when the file cannot be read or parsed, or has a root key or table that no scenario
+  /// has
+  static TomlDocument load(const std::filesystem::path& file);
+  /// The same from text; `name` stands for the file in messages.
+  static TomlDocument parse(std::string_view text, std::string name);
+
+  [[nodiscard]] TomlTable root() const;
+  [[nodiscard]] TomlTable table(std::string_view name) const;
+  /// The file's name as it stands in messages.
+  [[nodiscard]] const std::string& file() const { return file_; }
+  /// The parsed tree, for a program that writes a changed scenario back.
+  [[nodiscard]] const toml::table& tree() const { return *tree_; }
+
+ private:
+  TomlDocument(std::string file, std::shared_ptr<const toml::table> tree);
+  std::string file_;
+  std::shared_ptr<const toml::table> tree_;
+};
+
+}  // namespace caravan::runtime

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "runtime/config/toml_table.hpp"
+
+/// The scenario's tables that more than one process reads. A table that only one process reads is defined
+/// beside that process.
+namespace caravan::runtime {
+
+struct SonarTable {
+  std::uint32_t rays = 8;     ///< 1 .. 32 for each sonar
+  double aperture_rad = 0.4;  ///< full cone
+  double range_m = 5.0;
+  double reflection_rad =
+      0.39269908169872414;  ///< 22.5 degrees: a ray that meets a surface at this angle or more is lost
+  double noise = 0.0;       ///< relative standard deviation
+};
+
+/// `[robots]`: the fleet, its bodies and its task. Read by world server and agents.
+struct RobotsTable {
+  std::uint32_t count = 15;
+  std::array<double, 2> source_m{};  ///< frame W
+  std::array<double, 2> destination_m{};
+  double service_radius_m = 1.5;  ///< within it items change hands
+  double wheel_limit_mps = 1.6;   ///< rim speed
+  double body_length_m = 0.485;
+  double body_ahead_m = 0.200;  ///< of the axle
+  double body_width_m = 0.381;
+  double body_height_m = 0.217;
+  double mass_kg = 9.0;
+  double track_m = 0.330;
+  double wheel_radius_m = 0.0975;
+  double gps_noise_m = 0.0;  ///< standard deviation of each coordinate
+  double compass_noise_rad = 0.0;
+  SonarTable sonar;  ///< `[robots.sonar]`
+};
+
+/// `[radio]`: the medium. Read by radio emulator and agents.
+struct RadioTable {
+  double range_m = 2.0;
+  std::uint32_t channel_count = 1U << 20U;
+  std::uint32_t mtu_bytes = 250;
+  std::uint32_t queue_length = 64;
+  double loss_probability = 0.0;
+};
+
+enum class Pacing : std::uint8_t {
+  kFast,      ///< lockstep, as fast as possible
+  kRealtime,  ///< lockstep, at the clock
+  kFree       ///< real time, never waits
+};
+/// What to do about a process that lives but does not answer.
+enum class OnHung : std::uint8_t {
+  kWait,  ///< name it and wait
+  kCoast  ///< go on without it until it answers again
+};
+
+/// `[experiment]`: what is to be done and how it is run. Read by world server and launcher.
+struct ExperimentTable {
+  std::uint32_t items = 100;   ///< deliveries that end the run; 0: it ends with the time
+  double max_time_s = 7200.0;  ///< simulated
+  Pacing pacing = Pacing::kFast;
+  OnHung on_hung = OnHung::kWait;
+  double start_timeout_s = 120.0;  ///< wall time that the start waits for everybody
+};
+
+[[nodiscard]] RobotsTable read_robots(const TomlDocument& scenario);
+[[nodiscard]] RadioTable read_radio(const TomlDocument& scenario);
+[[nodiscard]] ExperimentTable read_experiment(const TomlDocument& scenario);
+/// The root key `seed`, read by every process.
+[[nodiscard]] std::uint64_t read_seed(const TomlDocument& scenario);
+
+}  // namespace caravan::runtime

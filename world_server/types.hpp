@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace caravan::world {
+
+/// Simulated time since the session began.
+using Time = std::chrono::nanoseconds;
+
+inline constexpr std::size_t kSonarCount = 16;
+
+/// Where a robot truly is: its base (on the axle, on the floor) in frame W.
+struct Pose {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double yaw_rad = 0.0;  ///< counter-clockwise from east, in (-pi, pi]
+};
+
+/// What a robot senses at one stamp. NaN: not known now. +inf: no echo.
+struct Senses {
+  std::array<double, kSonarCount> sonar_range_m{};
+  std::array<double, kSonarCount> sonar_age_s{};
+  double gps_x_m = 0.0;
+  double gps_y_m = 0.0;
+  double compass_yaw_rad = 0.0;
+  double left_wheel_rad = 0.0;
+  double right_wheel_rad = 0.0;
+  bool holding = false;
+};
+
+/// What a robot is told to do for one step. Already finite and within the wheel limit (see sanitise()).
+struct Command {
+  double left_mps = 0.0;  ///< rim speeds
+  double right_mps = 0.0;
+  bool gripper_closed = false;
+};
+
+/// A contact episode that began in this step; a new one for the same pair only after 1 s apart.
+struct ContactEpisode {
+  std::uint32_t robot = 0;
+  std::uint32_t other = 0;  ///< the other robot, 0: something static
+};
+
+struct ItemEvent {
+  enum class Kind : std::uint8_t { kPickUp, kDelivery };
+  Kind kind = Kind::kPickUp;
+  std::uint32_t robot = 0;
+};
+
+}  // namespace caravan::world

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "world_server/config/world_config.hpp"
+#include "world_server/types.hpp"
+
+namespace caravan::world {
+
+/// The emulated world of one session: bodies, sensors, items. Robots are numbered 1 .. config.robots.count.
+///
+/// One step: read `senses`, then `advance` with a command for each robot. Deterministic: equal configurations
+/// and commands give equal bits on one machine type.
+class World {
+ public:
+  /// @throws runtime::StartError when the robots do not fit into the arena
+  explicit World(const WorldConfig& config);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  /// What robot `robot` senses now. Noise is drawn once for each robot and step, so call it once for each.
+  [[nodiscard]] Senses sense(std::uint32_t robot);
+  /// True poses by robot, [0] is robot 1.
+  [[nodiscard]] std::span<const Pose> poses() const;
+
+  /// Grippers act at the present poses, then physics runs for one step.
+  /// @param commands [0] is robot 1; none: wheels stopped, gripper as it was
+  void advance(std::span<const std::optional<Command>> commands);
+
+  [[nodiscard]] std::uint64_t step() const;                        ///< steps taken so far
+  [[nodiscard]] Time now() const;                                  ///< step() * period
+  [[nodiscard]] std::span<const ContactEpisode> contacts() const;  ///< that began in the last step
+  [[nodiscard]] std::span<const ItemEvent> item_events() const;    ///< of the last step
+  [[nodiscard]] std::uint32_t items_delivered() const;
+  [[nodiscard]] std::uint64_t empty_closings() const;  ///< gripper closings that held nothing
+  [[nodiscard]] bool finished() const;                 ///< all items delivered, or the time is over
+  /// Hash over the commands and poses of every step taken.
+  [[nodiscard]] std::uint64_t chain() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace caravan::world
