@@ -58,9 +58,13 @@ struct Drops {
 /// modelled: no obstacle, collision or interference. Losses are drawn from (seed, step, sender, receiver,
 /// index of the frame), so that one frame more or less changes the fate of no other.
 ///
+/// A frame over the MTU or on a channel that does not exist is refused and counted once, whoever is near.
+///
 /// @param stations       the step's members, any order; a transmission of a robot that is not among them is
-/// ignored
-/// @param transmissions  at most one for each robot, any order; a station without one hears and sends nothing
+///                       ignored, so is a second station of the same robot; one whose position is not finite
+///                       is out of everybody's range
+/// @param transmissions  one for each robot, any order; of several the first counts; a station without one
+///                       hears and sends nothing
 /// @param drops          counted up
 /// @return only robots that receive something, sorted by id
 [[nodiscard]] std::vector<Reception> deliver(const MediumConfig& config, std::uint64_t step,
