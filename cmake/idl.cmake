@@ -7,14 +7,15 @@ function(caravan_idl_library name)
   set(out ${CMAKE_CURRENT_BINARY_DIR}/generated)
   file(MAKE_DIRECTORY ${out})
   set(sources)
+  file(GLOB all_idl CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.idl)
   foreach(file IN LISTS arg_FILES)
     get_filename_component(stem ${file} NAME_WE)
     set(made ${out}/${stem}.cxx ${out}/${stem}PubSubTypes.cxx)
     set(headers ${out}/${stem}.h ${out}/${stem}PubSubTypes.h)
-    # -replace: without it a stale output is kept silently. The included files are named so that a change in one regenerates all.
+    # -replace: without it a stale output is kept silently. A change in one file regenerates all, since they include each other.
     add_custom_command(OUTPUT ${made} ${headers}
       COMMAND ${FASTDDSGEN} -typeros2 -replace -I ${CMAKE_CURRENT_SOURCE_DIR} -d ${out} ${CMAKE_CURRENT_SOURCE_DIR}/${file} > ${out}/${stem}.log
-      DEPENDS ${arg_FILES}
+      DEPENDS ${all_idl}
       COMMENT "fastddsgen ${file}" VERBATIM)
     list(APPEND sources ${made} ${headers})
   endforeach()

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+/// The one table of topics that every process uses: name, type, quality of service, who may write, who may
+/// read.
+namespace caravan::idl {
+
+enum class Party : std::uint8_t { kWorld, kRadio, kAgent, kObserver };
+
+/// How a topic's samples travel. All but kLatest are RELIABLE and TRANSIENT_LOCAL.
+enum class Delivery : std::uint8_t {
+  kStep,      ///< in the step's path: shallow history
+  kObserved,  ///< must survive a late observer: history deeper than the world may run ahead of it
+  kHealth,    ///< the newest few count
+  kLatest     ///< BEST_EFFORT, VOLATILE, the newest only
+};
+
+struct Topic {
+  std::string_view name;  ///< "<i>" stands for the robot's number
+  std::string_view type;  ///< as it stands on the wire
+  Delivery delivery;
+  std::array<Party, 2> writers;  ///< one writer: named twice
+  std::array<Party, 2> readers;
+};
+
+/// The world runs at most this many steps ahead of a credited observer.
+inline constexpr std::uint32_t kMaxStepsAhead = 256;
+
+inline constexpr Topic kSensors{"rt/robot_<i>/sensors",
+                                "caravan_interfaces::msg::dds_::SensorFrame_",
+                                Delivery::kStep,
+                                {Party::kWorld, Party::kWorld},
+                                {Party::kAgent, Party::kAgent}};
+inline constexpr Topic kCommand{"rt/robot_<i>/command",
+                                "caravan_interfaces::msg::dds_::RobotCommand_",
+                                Delivery::kStep,
+                                {Party::kAgent, Party::kAgent},
+                                {Party::kWorld, Party::kWorld}};
+inline constexpr Topic kRadioTransmit{"rt/robot_<i>/radio/tx",
+                                      "caravan_interfaces::msg::dds_::RadioTransmit_",
+                                      Delivery::kStep,
+                                      {Party::kAgent, Party::kAgent},
+                                      {Party::kRadio, Party::kRadio}};
+inline constexpr Topic kRadioReceive{"rt/robot_<i>/radio/rx",
+                                     "caravan_interfaces::msg::dds_::RadioReceive_",
+                                     Delivery::kStep,
+                                     {Party::kRadio, Party::kRadio},
+                                     {Party::kAgent, Party::kAgent}};
+inline constexpr Topic kTelemetry{"rt/robot_<i>/telemetry",
+                                  "caravan_interfaces::msg::dds_::Telemetry_",
+                                  Delivery::kObserved,
+                                  {Party::kAgent, Party::kAgent},
+                                  {Party::kObserver, Party::kObserver}};
+inline constexpr Topic kTruth{"rt/world/truth",
+                              "caravan_interfaces::msg::dds_::WorldTruth_",
+                              Delivery::kObserved,
+                              {Party::kWorld, Party::kWorld},
+                              {Party::kRadio, Party::kObserver}};
+inline constexpr Topic kRadioStep{"rt/radio/step",
+                                  "caravan_interfaces::msg::dds_::RadioStep_",
+                                  Delivery::kStep,
+                                  {Party::kRadio, Party::kRadio},
+                                  {Party::kWorld, Party::kWorld}};
+inline constexpr Topic kClock{"rt/clock",
+                              "rosgraph_msgs::msg::dds_::Clock_",
+                              Delivery::kLatest,
+                              {Party::kWorld, Party::kWorld},
+                              {Party::kObserver, Party::kObserver}};
+inline constexpr Topic kWorldStatus{"rt/world/status",
+                                    "caravan_interfaces::msg::dds_::WorldStatus_",
+                                    Delivery::kHealth,
+                                    {Party::kWorld, Party::kWorld},
+                                    {Party::kObserver, Party::kObserver}};
+inline constexpr Topic kRadioStatus{"rt/radio/status",
+                                    "caravan_interfaces::msg::dds_::RadioStatus_",
+                                    Delivery::kHealth,
+                                    {Party::kRadio, Party::kRadio},
+                                    {Party::kObserver, Party::kObserver}};
+inline constexpr Topic kRunCredit{"rt/run/credit",
+                                  "caravan_interfaces::msg::dds_::RunCredit_",
+                                  Delivery::kHealth,
+                                  {Party::kObserver, Party::kObserver},
+                                  {Party::kWorld, Party::kWorld}};
+
+inline constexpr std::array kTopics{kSensors,   kCommand, kRadioTransmit, kRadioReceive, kTelemetry, kTruth,
+                                    kRadioStep, kClock,   kWorldStatus,   kRadioStatus,  kRunCredit};
+
+/// The topic's name for one robot.
+[[nodiscard]] inline std::string name_for(const Topic& topic, std::uint32_t robot) {
+  std::string name{topic.name};
+  const std::size_t place = name.find("<i>");
+  return place == std::string::npos ? name : name.replace(place, 3, std::to_string(robot));
+}
+
+}  // namespace caravan::idl

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "idl/topics.hpp"
+#include "runtime/bus/identity.hpp"
+
+namespace eprosima::fastdds::dds {
+class DataReader;
+class DataWriter;
+class TopicDataType;
+}  // namespace eprosima::fastdds::dds
+
+namespace caravan::runtime {
+
+/// A participant on the bus: its GUID prefix.
+struct ParticipantId {
+  std::array<std::uint8_t, 12> prefix{};
+  auto operator<=>(const ParticipantId&) const = default;
+};
+
+struct BusConfig {
+  std::string role;
+  std::uint32_t domain = 0;
+  double lease_s = 5.0;  ///< a participant silent for so long is gone
+};
+
+/// Somebody came, left, or began to write a topic. Delivered on a discovery thread: post it to the thread
+/// that owns the state.
+struct Discovery {
+  enum class Kind : std::uint8_t { kJoined, kGone, kWriterFound, kWriterGone };
+  Kind kind = Kind::kJoined;
+  ParticipantId participant;
+  Identity identity;  ///< of the participant, where known
+  std::string topic;  ///< for the writer kinds
+};
+
+template <typename PubSubType>
+class Writer;
+
+/// One DDS participant over shared memory alone: nothing leaves the machine. Reader callbacks run on its one
+/// receiving thread.
+///
+/// All entities are made before samples flow. close() ends all callbacks, then deletes everything; the
+/// destructor calls it.
+/// @throws StartError when DDS refuses an entity
+class Bus {
+ public:
+  using DiscoveryCallback = std::function<void(const Discovery&)>;
+
+  explicit Bus(const BusConfig& config, DiscoveryCallback discovered = {});
+  ~Bus();
+  Bus(const Bus&) = delete;
+  Bus& operator=(const Bus&) = delete;
+
+  [[nodiscard]] const ParticipantId& id() const;
+  [[nodiscard]] const Identity& identity() const;
+
+  /// @param robot fills the "<i>" of the topic's name
+  template <typename PubSubType>
+  [[nodiscard]] Writer<PubSubType> writer(const idl::Topic& topic, std::uint32_t robot = 0);
+
+  /// Calls `handle(sample, sender)` for each sample as it arrives.
+  template <typename PubSubType, typename Handler>
+  void reader(const idl::Topic& topic, std::uint32_t robot, Handler handle);
+
+  void close();
+
+ private:
+  struct Impl;
+  class Inbox;  // a reader's listener
+  using Take = std::function<void(void* sample, const ParticipantId& sender)>;
+
+  eprosima::fastdds::dds::DataWriter* make_writer(const idl::Topic& topic, std::uint32_t robot,
+                                                  eprosima::fastdds::dds::TopicDataType* type);
+  void make_reader(const idl::Topic& topic, std::uint32_t robot, eprosima::fastdds::dds::TopicDataType* type,
+                   std::shared_ptr<void> sample, Take take);
+
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Writes samples of one topic.
+template <typename PubSubType>
+class Writer {
+ public:
+  using Sample = typename PubSubType::type;
+  Writer() = default;
+  explicit Writer(eprosima::fastdds::dds::DataWriter* writer) : writer_{writer} {}
+  /// False when DDS did not take the sample; the caller counts or logs it.
+  bool write(Sample& sample);
+
+ private:
+  eprosima::fastdds::dds::DataWriter* writer_ = nullptr;
+};
+
+namespace detail {
+bool write_sample(eprosima::fastdds::dds::DataWriter* writer, void* sample);
+}
+
+template <typename PubSubType>
+bool Writer<PubSubType>::write(Sample& sample) {
+  return detail::write_sample(writer_, &sample);
+}
+
+template <typename PubSubType>
+Writer<PubSubType> Bus::writer(const idl::Topic& topic, std::uint32_t robot) {
+  return Writer<PubSubType>{make_writer(topic, robot, new PubSubType{})};
+}
+
+template <typename PubSubType, typename Handler>
+void Bus::reader(const idl::Topic& topic, std::uint32_t robot, Handler handle) {
+  using Sample = typename PubSubType::type;
+  make_reader(topic, robot, new PubSubType{}, std::make_shared<Sample>(),
+              [handle = std::move(handle)](void* sample, const ParticipantId& sender) mutable {
+                handle(*static_cast<const Sample*>(sample), sender);
+              });
+}
+
+}  // namespace caravan::runtime

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/bus/qos.hpp"
+
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+
+#include <memory>
+
+namespace caravan::runtime {
+namespace dds = eprosima::fastdds::dds;
+namespace rtps = eprosima::fastrtps::rtps;
+namespace {
+
+constexpr std::int32_t depth_of(idl::Delivery delivery) {
+  switch (delivery) {
+    case idl::Delivery::kStep:
+    case idl::Delivery::kHealth:
+      return 4;
+    case idl::Delivery::kObserved:
+      return 2 * static_cast<std::int32_t>(idl::kMaxStepsAhead);
+    case idl::Delivery::kLatest:
+      return 1;
+  }
+  return 1;
+}
+
+/// The part that writers and readers have in common.
+template <typename Qos>
+void set_common(Qos& qos, idl::Delivery delivery) {
+  const bool latest = delivery == idl::Delivery::kLatest;
+  qos.reliability().kind = latest ? dds::BEST_EFFORT_RELIABILITY_QOS : dds::RELIABLE_RELIABILITY_QOS;
+  qos.durability().kind = latest ? dds::VOLATILE_DURABILITY_QOS : dds::TRANSIENT_LOCAL_DURABILITY_QOS;
+  qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = depth_of(delivery);
+  qos.resource_limits().max_samples = depth_of(delivery);
+  qos.resource_limits().max_instances = 1;
+  qos.resource_limits().max_samples_per_instance = depth_of(delivery);
+  qos.resource_limits().allocated_samples = delivery == idl::Delivery::kObserved ? 0 : depth_of(delivery);
+  qos.endpoint().history_memory_policy = delivery == idl::Delivery::kObserved
+                                             ? rtps::DYNAMIC_REUSABLE_MEMORY_MODE
+                                             : rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  qos.data_sharing().off();  // slower here, and more threads
+}
+
+eprosima::fastrtps::Duration_t milliseconds(std::uint32_t count) {
+  return {static_cast<std::int32_t>(count / 1000), count % 1000 * 1'000'000};
+}
+
+}  // namespace
+
+dds::DomainParticipantQos participant_qos(const std::string& name, double lease_s) {
+  dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
+  qos.name(name.c_str());
+  qos.transport().use_builtin_transports = false;
+  const auto shared_memory = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
+  shared_memory->healthy_check_timeout_ms(
+      600'000);  // the default loses samples for good when a process is stopped for 2 s
+  qos.transport().user_transports.push_back(shared_memory);
+  auto& discovery = qos.wire_protocol().builtin.discovery_config;
+  discovery.leaseDuration = eprosima::fastrtps::Duration_t{static_cast<long double>(lease_s)};
+  discovery.leaseDuration_announcementperiod =
+      eprosima::fastrtps::Duration_t{static_cast<long double>(lease_s / 4.0)};
+  return qos;
+}
+
+dds::DataWriterQos writer_qos(idl::Delivery delivery) {
+  dds::DataWriterQos qos = dds::DATAWRITER_QOS_DEFAULT;
+  set_common(qos, delivery);
+  qos.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
+  auto& reliable = qos.reliable_writer_qos();
+  reliable.disable_heartbeat_piggyback = true;
+  reliable.times.nackSupressionDuration =
+      milliseconds(100);                               // the default wakes a second thread on every write
+  reliable.times.heartbeatPeriod = milliseconds(200);  // how soon a lost sample is noticed
+  return qos;
+}
+
+dds::DataReaderQos reader_qos(idl::Delivery delivery) {
+  dds::DataReaderQos qos = dds::DATAREADER_QOS_DEFAULT;
+  set_common(qos, delivery);
+  return qos;
+}
+
+}  // namespace caravan::runtime

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/process/loop.hpp"
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string>
+
+#include "runtime/config/start_error.hpp"
+
+namespace caravan::runtime {
+namespace {
+
+int made(int descriptor, const char* what) {
+  if (descriptor < 0) throw StartError{std::string{what} + ": " + std::strerror(errno)};
+  return descriptor;
+}
+
+void raise_event(int descriptor) {
+  const std::uint64_t one = 1;
+  while (write(descriptor, &one, sizeof one) < 0 && errno == EINTR) {
+  }
+}
+
+}  // namespace
+
+Loop::Loop() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGINT);
+  sigaddset(&set, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  signals_ = made(signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK), "signalfd");
+  wakeups_ = made(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "eventfd");
+  stops_ = made(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "eventfd");
+}
+
+Loop::~Loop() {
+  for (const int descriptor : {signals_, wakeups_, stops_}) {
+    if (descriptor >= 0) close(descriptor);
+  }
+}
+
+Loop::Woken Loop::wait(std::optional<WallTime> deadline) {
+  if (interrupted_) return Woken::kStop;
+  std::array<pollfd, 3> watched{{{signals_, POLLIN, 0}, {stops_, POLLIN, 0}, {wakeups_, POLLIN, 0}}};
+  for (;;) {
+    timespec left{};
+    if (deadline) {
+      const auto remaining = std::max(std::chrono::nanoseconds{0},
+                                      std::chrono::nanoseconds{*deadline - std::chrono::steady_clock::now()});
+      left.tv_sec = static_cast<time_t>(remaining.count() / 1'000'000'000);
+      left.tv_nsec = static_cast<long>(remaining.count() % 1'000'000'000);
+    }
+    const int ready = ppoll(watched.data(), watched.size(), deadline ? &left : nullptr, nullptr);
+    if (ready < 0 && errno == EINTR) continue;
+    if (watched[0].revents != 0) {
+      interrupted_ = true;
+      return Woken::kStop;
+    }
+    if (watched[1].revents != 0) return Woken::kStop;
+    if (watched[2].revents != 0) {
+      std::uint64_t count = 0;
+      (void)!read(wakeups_, &count, sizeof count);
+      return Woken::kNotified;
+    }
+    return Woken::kDeadline;
+  }
+}
+
+void Loop::notify() { raise_event(wakeups_); }
+
+void Loop::stop() { raise_event(stops_); }
+
+}  // namespace caravan::runtime

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/process/run_process.hpp"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+
+#include "runtime/config/start_error.hpp"
+#include "runtime/process/version.hpp"
+
+namespace caravan::runtime {
+namespace {
+
+void set_up_logging(const std::string& name, const std::string& level) {
+  spdlog::set_default_logger(spdlog::stderr_color_mt(name));
+  spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %^%l%$ %n: %v");
+  spdlog::set_level(spdlog::level::from_str(level));
+  spdlog::flush_on(spdlog::level::info);
+}
+
+}  // namespace
+
+int run_process(const Program& program, int argc, char** argv,
+                const std::function<int(const Start&, Loop&)>& body) {
+  Start start;
+  std::string level = "info";
+  CLI::App app{program.purpose, program.name};
+  app.set_version_flag("--version", std::string{kVersion});
+  app.add_option("--scenario", start.scenario, "Scenario file (TOML)")->required();
+  app.add_option("--domain", start.domain, "DDS domain, 0 to 232")->check(CLI::Range(0, 232));
+  app.add_flag("--check-config", start.check_only, "Check the configuration and end");
+  app.add_option("--log-level", level, "Least severe message shown")
+      ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error"}));
+  for (const NumberOption& option : program.numbers) {
+    app.add_option(option.flag, *option.value, option.help)->required(option.required);
+  }
+  for (const TextOption& option : program.texts) app.add_option(option.flag, *option.values, option.help);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kCouldNotStart;
+  }
+  try {
+    Loop loop;
+    set_up_logging(program.name, level);
+    return body(start, loop);
+  } catch (const StartError& error) {
+    spdlog::error("{}", error.what());
+    return kCouldNotStart;
+  } catch (const std::exception& error) {
+    spdlog::error("ended by an unexpected error: {}", error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace caravan::runtime

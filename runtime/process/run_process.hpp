@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "runtime/process/loop.hpp"
+
+namespace caravan::runtime {
+
+/// Exit codes of every program.
+enum ExitCode : int { kDone = 0, kFailed = 1, kCouldNotStart = 2, kConditionNotMet = 3, kInterrupted = 130 };
+
+/// A numeric command line option of one program beside the common ones.
+struct NumberOption {
+  std::string flag;  ///< "--robot"
+  std::string help;
+  bool required = false;
+  std::uint32_t* value = nullptr;
+};
+
+/// A text option that may be given several times.
+struct TextOption {
+  std::string flag;
+  std::string help;
+  std::vector<std::string>* values = nullptr;
+};
+
+struct Program {
+  std::string name;
+  std::string purpose;
+  std::vector<NumberOption> numbers;
+  std::vector<TextOption> texts;
+};
+
+/// What the command line said.
+struct Start {
+  std::filesystem::path scenario;
+  std::uint32_t domain = 0;
+  bool check_only = false;  ///< --check-config: read and check the configuration, then end
+};
+
+/// The shell of every main: command line, logging to standard error, signals, exit codes.
+///
+/// A StartError becomes one line and exit code 2; any other exception one line and exit code 1.
+int run_process(const Program& program, int argc, char** argv,
+                const std::function<int(const Start&, Loop&)>& body);
+
+}  // namespace caravan::runtime
