@@ -6,28 +6,9 @@
 
 #include "runtime/config/toml_table.hpp"
 #include "runtime/scenario/shared_tables.hpp"
+#include "world_server/shapes/solids.hpp"
 
 namespace caravan::world {
-
-/// A solid box on the floor, turned about its centre.
-struct Box {
-  std::array<double, 2> centre_m{};
-  std::array<double, 2> size_m{1.0, 1.0};
-  double yaw_rad = 0.0;
-  double height_m = 1.0;
-};
-
-struct Cylinder {
-  std::array<double, 2> centre_m{};
-  double radius_m = 0.5;
-  double height_m = 1.0;
-};
-
-/// A simple polygon, possibly concave; vertices in either direction of turning.
-struct Outline {
-  std::vector<std::array<double, 2>> points_m;
-  double height_m = 1.0;
-};
 
 /// `[world]`, with the shared tables that it rests on.
 struct WorldConfig {
@@ -46,7 +27,15 @@ struct WorldConfig {
   std::uint64_t seed = 1;
 };
 
+/// Distance of the body's farthest corner from the middle of the axle.
+[[nodiscard]] double body_radius_m(const runtime::RobotsTable& robots);
+
 /// Reads `[world] [robots] [experiment]` and `seed`, never `[algorithm]`.
+///
+/// @throws StartError `file:line: key: reason` also for a world that makes no sense: solids outside the
+/// arena, outlines that cross themselves or are too thin, a source or destination inside something solid, a
+/// body whose parts do not fit. With `experiment.items = 0` nothing is to be delivered and the destination
+/// may lie anywhere.
 [[nodiscard]] WorldConfig load_world_config(const runtime::TomlDocument& scenario);
 
 }  // namespace caravan::world

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "runtime/pure/random.hpp"
+#include "world_server/shapes/polygon.hpp"
+#include "world_server/shapes/scene.hpp"
+
+namespace caravan::world {
+namespace {
+
+/// A star-shaped polygon with corners of every kind, sharp and reflex.
+Outline random_star(std::uint64_t seed) {
+  pure::Random random{seed};
+  Outline outline;
+  const auto count = static_cast<int>(random.uniform(4.0, 12.0));
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * (i + random.uniform(0.0, 0.6)) / count;
+    const double radius = random.uniform(1.5, 4.0);
+    outline.points_m.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return outline;
+}
+
+double edge_distance(const Polygon& polygon, Point point) {
+  double nearest = 1e9;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    nearest = std::min(nearest, distance_to_segment(point, polygon[i], polygon[(i + 1) % polygon.size()]));
+  }
+  return nearest;
+}
+
+TEST(RingOfBoxes, LiesInsideTheOutline) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Outline outline = random_star(seed);
+    const Solid solid = to_solid(outline);
+    for (const Box& box : ring_of_boxes(outline)) {
+      for (const Point corner : corners(box)) EXPECT_LE(distance_to(solid, corner), 1e-6);
+    }
+  }
+}
+
+// A body of 0.3 m cannot slip in where every point of the outline is nearer than that to some box.
+TEST(RingOfBoxes, LeavesNoGapForABody) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE(seed);
+    const Outline outline = random_star(seed);
+    const Polygon polygon = counter_clockwise(outline);
+    const auto ring = ring_of_boxes(outline);
+    ASSERT_EQ(ring.size(), polygon.size());
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Polygon one = corners(ring[i]);
+      const Polygon next = corners(ring[(i + 1) % ring.size()]);
+      double gap = 1e9;
+      for (const Point corner : one) gap = std::min(gap, edge_distance(next, corner));
+      for (const Point corner : next) gap = std::min(gap, edge_distance(one, corner));
+      EXPECT_LE(gap, 0.1) << "between edges " << i << " and the next";
+    }
+  }
+}
+
+TEST(RingOfBoxes, DoesNotDependOnTheDirectionOfTurning) {
+  Outline outline = random_star(7);
+  const auto ring = ring_of_boxes(outline);
+  std::reverse(outline.points_m.begin(), outline.points_m.end());
+  const auto reversed = ring_of_boxes(outline);
+  ASSERT_EQ(ring.size(), reversed.size());
+  EXPECT_EQ(ring[0].centre_m, reversed[0].centre_m);
+}
+
+TEST(Polygon, KnowsInsideFromOutside) {
+  const Polygon dented{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}};
+  EXPECT_TRUE(contains(dented, {0.5, 2.0}));
+  EXPECT_TRUE(contains(dented, {3.5, 2.0}));
+  EXPECT_FALSE(contains(dented, {2.0, 2.0}));
+  EXPECT_FALSE(contains(dented, {5.0, 1.0}));
+  EXPECT_DOUBLE_EQ(signed_area(dented), 10.0);
+}
+
+}  // namespace
+}  // namespace caravan::world

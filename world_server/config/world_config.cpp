@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world_server/config/world_config.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "world_server/config/checks.hpp"
+
+namespace caravan::world {
+namespace {
+
+using runtime::kPositive;
+using runtime::TomlTable;
+
+void require(TomlTable& table, std::string_view key) {
+  if (!table.has(key)) table.fail(key, "is missing: write it into this table");
+}
+
+Box read_box(TomlTable& table, const WorldConfig& config) {
+  Box box;
+  require(table, "centre_m");
+  require(table, "size_m");
+  table.read("centre_m", box.centre_m);
+  table.read("size_m", box.size_m, kPositive);
+  table.read("yaw_rad", box.yaw_rad, {-2.0 * std::numbers::pi, 2.0 * std::numbers::pi});
+  table.read("height_m", box.height_m, kPositive);
+  table.refuse_unknown();
+  check_solid(table, "centre_m", to_solid(box), config);
+  return box;
+}
+
+Cylinder read_cylinder(TomlTable& table, const WorldConfig& config) {
+  Cylinder cylinder;
+  require(table, "centre_m");
+  require(table, "radius_m");
+  table.read("centre_m", cylinder.centre_m);
+  table.read("radius_m", cylinder.radius_m, kPositive);
+  table.read("height_m", cylinder.height_m, kPositive);
+  table.refuse_unknown();
+  check_solid(table, "centre_m", to_solid(cylinder), config);
+  return cylinder;
+}
+
+Outline read_outline(TomlTable& table, const WorldConfig& config) {
+  Outline outline;
+  require(table, "points_m");
+  table.read("points_m", outline.points_m);
+  table.read("height_m", outline.height_m, kPositive);
+  table.refuse_unknown();
+  check_outline(table, outline);
+  check_solid(table, "points_m", to_solid(outline), config);
+  return outline;
+}
+
+void read_world(TomlTable& table, WorldConfig& config) {
+  for (const std::string_view key : {"start_low_m", "start_high_m"}) require(table, key);
+  table.read("step_s", config.step_s, {0.001, 1.0});
+  table.read("substeps", config.substeps, {1, 1000});
+  table.read("arena_m", config.arena_m, {1.0, 100000.0});
+  table.read("wall_height_m", config.wall_height_m, kPositive);
+  table.read("start_low_m", config.start_low_m);
+  table.read("start_high_m", config.start_high_m);
+  table.read("start_spacing_m", config.start_spacing_m, kPositive);
+  for (TomlTable& box : table.tables("box")) config.boxes.push_back(read_box(box, config));
+  for (TomlTable& one : table.tables("cylinder")) config.cylinders.push_back(read_cylinder(one, config));
+  for (TomlTable& one : table.tables("outline")) config.outlines.push_back(read_outline(one, config));
+  table.refuse_unknown();
+}
+
+}  // namespace
+
+double body_radius_m(const runtime::RobotsTable& robots) {
+  const double behind = robots.body_length_m - robots.body_ahead_m;
+  return std::hypot(std::max(behind, robots.body_ahead_m), 0.5 * robots.body_width_m);
+}
+
+WorldConfig load_world_config(const runtime::TomlDocument& scenario) {
+  WorldConfig config;
+  config.robots = runtime::read_robots(scenario);
+  config.experiment = runtime::read_experiment(scenario);
+  config.seed = runtime::read_seed(scenario);
+  TomlTable world = scenario.table("world");
+  read_world(world, config);
+  check_world(world, config);
+  check_robots(scenario.table("robots"), config);
+  return config;
+}
+
+}  // namespace caravan::world
