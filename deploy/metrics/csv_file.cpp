@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/metrics/csv_file.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include "runtime/config/start_error.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+std::string quoted(const std::string& field) {
+  if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
+  std::string result = "\"";
+  for (const char letter : field) {
+    if (letter == '"') result += '"';
+    result += letter;
+  }
+  return result + '"';
+}
+
+}  // namespace
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 400> text{};
+  const int length = std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  return {text.data(), static_cast<std::size_t>(length)};
+}
+
+CsvFile::CsvFile(const std::filesystem::path& file, const std::vector<std::string>& header) : out_{file} {
+  if (!out_) throw runtime::StartError{file.string() + ": cannot be written"};
+  row(header);
+  flush();
+}
+
+void CsvFile::row(const std::vector<std::string>& fields) {
+  const char* separator = "";
+  for (const std::string& field : fields) {
+    out_ << separator << quoted(field);
+    separator = ",";
+  }
+  out_ << '\n';
+}
+
+}  // namespace caravan::deploy

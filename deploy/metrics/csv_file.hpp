@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace caravan::deploy {
+
+/// A number with a fixed count of decimals.
+[[nodiscard]] std::string fixed(double value, int decimals);
+
+/// A CSV file (RFC 4180 quoting, \n line ends) that is written row by row.
+class CsvFile {
+ public:
+  /// Overwrites. @throws runtime::StartError when the file cannot be written
+  CsvFile(const std::filesystem::path& file, const std::vector<std::string>& header);
+
+  void row(const std::vector<std::string>& fields);
+  /// What is written so far survives the death of this process.
+  void flush() { out_.flush(); }
+
+ private:
+  std::ofstream out_;
+};
+
+}  // namespace caravan::deploy

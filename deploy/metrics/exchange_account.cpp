@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/metrics/exchange_account.hpp"
+
+#include <algorithm>
+
+namespace caravan::deploy {
+namespace {
+
+constexpr Time kSameSession = std::chrono::seconds{60};
+
+}  // namespace
+
+void ExchangeAccount::add(std::uint32_t robot, const Exchange& exchange) {
+  ++reports_;
+  stood_ += exchange.ended - exchange.began;
+  if (exchange.session == 0) {
+    ++(exchange.completed ? completed_ : failed_);
+    return;
+  }
+  const auto [low, high] = std::minmax(robot, exchange.partner);
+  const auto [known, is_new] =
+      sessions_.try_emplace({low, high, exchange.session}, Session{exchange.began, exchange.completed});
+  Session& session = known->second;
+  if (is_new || std::chrono::abs(exchange.began - session.began) > kSameSession) {
+    session = {exchange.began, exchange.completed};
+    ++(exchange.completed ? completed_ : failed_);
+  } else if (exchange.completed && !session.completed) {
+    session.completed = true;
+    --failed_;
+    ++completed_;
+  }
+}
+
+double ExchangeAccount::mean_duration_s() const {
+  return reports_ == 0 ? 0.0 : in_seconds(stood_) / static_cast<double>(reports_);
+}
+
+}  // namespace caravan::deploy

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "deploy/metrics/metrics.hpp"
+#include "deploy/metrics/run_facts.hpp"
+
+namespace caravan::deploy {
+
+/// The text of metrics.json. Its keys are a contract with tools outside: keys are added, never renamed.
+[[nodiscard]] std::string metrics_json(const RunFacts& facts, const Result& result, const RunEnd& end);
+
+}  // namespace caravan::deploy

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "deploy/metrics/csv_file.hpp"
+#include "deploy/metrics/observation.hpp"
+#include "deploy/metrics/trip_book.hpp"
+
+namespace caravan::deploy {
+
+/// tracks.csv, trips.csv and events.csv of a run, written while it goes on. docs/outputs.md has the columns.
+class RecordFiles {
+ public:
+  /// @throws runtime::StartError when a file cannot be written
+  RecordFiles(const std::filesystem::path& folder, std::uint32_t robots);
+
+  /// @pre stamps never go back
+  void observe(const Observation& observation);
+  void flush();
+  /// Writes the trips that are still under way; to be called once, after the last observation.
+  void close();
+
+ private:
+  struct Robot {
+    Mode mode = Mode::kExplore;
+    Activity activity = Activity::kIdle;
+    Origin origin = Origin::kNone;
+    bool member = false;
+  };
+  [[nodiscard]] Robot* find(std::uint32_t robot);
+  void event(Time stamp, std::uint32_t robot, const std::string& name, const std::string& detail);
+  void record_membership(const Observation& observation);
+  void record_step(const Observation& observation);
+  void record_report(Time stamp, const AgentReport& report);
+  void record_tracks(const Observation& observation);
+  void record_trip(const Trip& trip);
+
+  CsvFile tracks_;
+  CsvFile trips_;
+  CsvFile events_;
+  std::vector<Robot> robots_;
+  TripBook trip_book_;
+  Time next_track_{0};
+  bool seen_members_ = false;
+};
+
+}  // namespace caravan::deploy

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "deploy/metrics/observation.hpp"
+
+namespace caravan::deploy {
+
+/// What is known of a run before it begins.
+struct RunFacts {
+  std::string scenario;  ///< its name
+  std::string engine;    ///< dds, embedded
+  std::string mode;      ///< none, partial, full
+  std::uint64_t seed = 1;
+  std::uint32_t robots = 0;
+  std::uint32_t items = 0;  ///< deliveries that end it; 0: it ends with the time
+  Time max_time{0};         ///< simulated
+};
+
+/// Wall time that the parts of a run took, seconds.
+struct TimeSplit {
+  double physics_s = 0.0;
+  double sensors_s = 0.0;
+  double radio_s = 0.0;
+  double agents_s = 0.0;
+  double transport_s = 0.0;
+};
+
+/// What the engine knows when a run has ended.
+struct RunEnd {
+  std::string digest;      ///< 16 hex digits
+  bool disturbed = false;  ///< a process was lost or came back
+  bool interrupted = false;
+  std::string failure;  ///< why it ended early; empty: it did not
+  TimeSplit time_split;
+  double wall_time_s = 0.0;  ///< from the first step to the last
+};
+
+enum class Outcome : std::uint8_t { kCompleted, kTimeOver, kInterrupted, kFailed };
+
+/// Completed means that all items were delivered, or that the whole time was run when there are none to
+/// deliver.
+[[nodiscard]] Outcome outcome_of(const RunFacts& facts, const RunEnd& end, std::uint32_t items_delivered,
+                                 Time sim_time);
+/// 0, 1 or 130: what `caravan run` exits with.
+[[nodiscard]] int exit_code_of(Outcome outcome);
+
+}  // namespace caravan::deploy

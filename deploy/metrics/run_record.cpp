@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/metrics/run_record.hpp"
+
+#include <utility>
+
+#include "deploy/metrics/metrics_json.hpp"
+#include "deploy/metrics/result_table.hpp"
+#include "deploy/metrics/run_directory.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+/// Below the second that is promised, so that a late call still keeps it.
+constexpr std::chrono::milliseconds kFlushPeriod{800};
+
+std::string paths_csv(const std::vector<std::vector<Place>>& paths) {
+  std::string text = "robot,index,x_m,y_m\n";
+  for (std::size_t robot = 0; robot < paths.size(); ++robot) {
+    for (std::size_t i = 0; i < paths[robot].size(); ++i) {
+      const Place& place = paths[robot][i];
+      text += std::to_string(robot + 1) + "," + std::to_string(i) + "," + fixed(place.x_m, 4) + "," +
+              fixed(place.y_m, 4) + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+RunRecord::RunRecord(RunFacts facts, std::filesystem::path folder, std::FILE* out)
+    : facts_{std::move(facts)},
+      folder_{std::move(folder)},
+      out_{out},
+      metrics_{facts_.robots},
+      files_{folder_, facts_.robots},
+      progress_{out},
+      flushed_{ProgressLine::Clock::now()} {}
+
+void RunRecord::observe(const Observation& observation) {
+  metrics_.observe(observation);
+  files_.observe(observation);
+}
+
+void RunRecord::keep_up(const std::function<RunEnd()>& so_far) {
+  const auto now = ProgressLine::Clock::now();
+  if (out_ != nullptr) progress_.update(facts_, metrics_.progress(), now);
+  if (now - flushed_ < kFlushPeriod) return;
+  flushed_ = now;
+  files_.flush();
+  write_summary(so_far());
+}
+
+void RunRecord::write_summary(const RunEnd& end) {
+  write_whole_file(folder_ / "metrics.json", metrics_json(facts_, metrics_.result(), end));
+  write_whole_file(folder_ / "paths.csv", paths_csv(metrics_.paths()));
+}
+
+int RunRecord::close(const RunEnd& end) {
+  files_.close();
+  write_summary(end);
+  progress_.close();
+  const Result result = metrics_.result();
+  if (out_ != nullptr) {
+    const std::string table = result_table(facts_, result, end);
+    std::printf("%s\nfiles       %s\n", table.c_str(), folder_.c_str());
+    std::fflush(stdout);
+  }
+  return exit_code_of(outcome_of(facts_, end, result.items_delivered, result.sim_time));
+}
+
+}  // namespace caravan::deploy

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+
+#include "deploy/metrics/metrics.hpp"
+#include "deploy/metrics/progress_line.hpp"
+#include "deploy/metrics/record_files.hpp"
+#include "deploy/metrics/run_facts.hpp"
+
+namespace caravan::deploy {
+
+/// Everything that an engine does with its observations: metrics, the files of the run and the progress line.
+///
+/// Files are flushed and metrics.json and paths.csv are written anew once a second of wall time, so that the
+/// death of the process loses nothing older.
+class RunRecord {
+ public:
+  /// @param folder  exists and is this run's own
+  /// @param out     where progress goes; null: nowhere
+  /// @throws runtime::StartError when a file cannot be written
+  RunRecord(RunFacts facts, std::filesystem::path folder, std::FILE* out);
+
+  /// @pre stamps never go back
+  void observe(const Observation& observation);
+  /// To be called at least once a second of wall time, however often: shows progress and flushes when due.
+  /// @param so_far  what the engine knows by now; asked for only when something is due
+  void keep_up(const std::function<RunEnd()>& so_far);
+  /// Writes what is left and prints the result table to stdout unless `out` is null.
+  /// @return the exit code of the run
+  int close(const RunEnd& end);
+
+  [[nodiscard]] const Metrics& metrics() const { return metrics_; }
+  [[nodiscard]] const RunFacts& facts() const { return facts_; }
+
+ private:
+  void write_summary(const RunEnd& end);
+
+  RunFacts facts_;
+  std::filesystem::path folder_;
+  std::FILE* out_;
+  Metrics metrics_;
+  RecordFiles files_;
+  ProgressLine progress_;
+  ProgressLine::Clock::time_point flushed_;
+};
+
+}  // namespace caravan::deploy

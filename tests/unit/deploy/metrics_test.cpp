@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/metrics/metrics.hpp"
+
+#include <gmock/gmock.h>
+
+#include "deploy/metrics/metrics_json.hpp"
+#include "deploy/metrics/result_table.hpp"
+#include "tests/unit/deploy/observations.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+using std::chrono::minutes;
+using std::chrono::seconds;
+using test::at;
+using test::doing;
+using test::kStep;
+using test::with;
+
+AgentReport with_origin(std::uint32_t robot, Origin origin, std::vector<Place> path) {
+  AgentReport report = doing(robot, Activity::kDriving);
+  report.mode = Mode::kTransport;
+  report.origin = origin;
+  report.path_changed = true;
+  report.path = std::move(path);
+  return report;
+}
+
+Observation item(Time stamp, ItemEvent::Kind kind, std::uint32_t robot, std::uint32_t delivered) {
+  Observation observation = at(stamp, {{0, 0}, {9, 9}});
+  observation.item_events = {{.kind = kind, .robot = robot}};
+  observation.items_delivered = delivered;
+  return observation;
+}
+
+TEST(Metrics, ActivitiesAddUpToTheSimulatedTime) {
+  Metrics metrics{2};
+  for (int i = 0; i <= 5000; ++i) {
+    const double x_m = i < 3000 ? 0.02 * i : 60.0;
+    Observation observation = at(i * kStep, {{x_m, 0.0}, {0.0, 0.7 * (i % 2000)}});
+    if (i == 10) observation = with(observation, doing(1, Activity::kDriving));
+    if (i == 700) observation = with(observation, doing(1, Activity::kExchanging));
+    if (i == 720) observation = with(observation, doing(1, Activity::kAvoiding));
+    metrics.observe(observation);
+  }
+
+  const Result result = metrics.result();
+
+  EXPECT_EQ(result.sim_time, 5000 * kStep);
+  for (const RobotResult& robot : result.robots) {
+    const ActivityTimes& times = robot.times;
+    EXPECT_EQ(times.driving + times.exchanging + times.avoiding + times.stuck + times.idle, result.sim_time);
+  }
+  EXPECT_GT(result.robots[0].times.stuck, minutes{1});
+  EXPECT_EQ(result.robots[0].times.exchanging, 20 * kStep);
+  EXPECT_EQ(result.robots[1].times.idle, result.sim_time);
+}
+
+TEST(Metrics, TheFirstOriginOfAPathCountsAndNoLaterOne) {
+  Metrics metrics{2};
+  metrics.observe(at(seconds{0}, {{0, 0}, {1, 1}}));
+  metrics.observe(with(at(seconds{10}, {{0, 0}, {1, 1}}), with_origin(1, Origin::kFound, {{0, 0}, {3, 4}})));
+  metrics.observe(
+      with(at(seconds{20}, {{0, 0}, {1, 1}}), with_origin(1, Origin::kReceived, {{0, 0}, {3, 0}})));
+  metrics.observe(
+      with(at(seconds{30}, {{0, 0}, {1, 1}}), with_origin(2, Origin::kReceived, {{0, 0}, {0, 9}})));
+
+  const Result result = metrics.result();
+
+  EXPECT_EQ(result.robots[0].found, seconds{10});
+  EXPECT_EQ(result.robots[0].received, std::nullopt);
+  EXPECT_EQ(result.robots[1].found, std::nullopt);
+  EXPECT_EQ(result.robots[1].received, seconds{30});
+  EXPECT_EQ(result.robots[0].path_length_m, 3.0);
+  EXPECT_EQ(result.routes, 2U);
+  EXPECT_EQ(metrics.progress().robots_with_path, 2U);
+}
+
+TEST(Metrics, ARobotWithoutPathHasNoPathLength) {
+  Metrics metrics{1};
+  metrics.observe(at(seconds{1}, {{0, 0}}));
+
+  EXPECT_EQ(metrics.result().robots[0].path_length_m, std::nullopt);
+}
+
+TEST(Metrics, RoundTripsRunFromPickUpToTheNextPickUpOfTheSameRobot) {
+  Metrics metrics{2};
+  metrics.observe(item(seconds{100}, ItemEvent::Kind::kPickUp, 1, 0));
+  metrics.observe(item(seconds{110}, ItemEvent::Kind::kPickUp, 2, 0));
+  metrics.observe(item(seconds{200}, ItemEvent::Kind::kDelivery, 1, 1));
+  metrics.observe(item(seconds{300}, ItemEvent::Kind::kPickUp, 1, 1));
+  metrics.observe(item(seconds{510}, ItemEvent::Kind::kPickUp, 2, 1));
+
+  const Result result = metrics.result();
+
+  EXPECT_DOUBLE_EQ(result.round_trip_mean_s, 300.0);  // 200 and 400
+  EXPECT_EQ(result.items_delivered, 1U);
+  EXPECT_EQ(result.robots[0].items, 1U);
+  EXPECT_EQ(result.robots[1].items, 0U);
+}
+
+TEST(Metrics, AContactOfTwoRobotsCountsOnceThoughBothSidesTellIt) {
+  Metrics metrics{3};
+  Observation observation = at(seconds{1}, {{0, 0}, {0, 1}, {5, 5}});
+  observation.contacts = {{.robot = 1, .other = 2}, {.robot = 2, .other = 1}, {.robot = 3, .other = 0}};
+  metrics.observe(observation);
+  observation.stamp = seconds{9};
+  observation.contacts = {{.robot = 1, .other = 2}};
+  metrics.observe(observation);
+
+  EXPECT_EQ(metrics.result().robot_robot_contacts, 2U);
+  EXPECT_EQ(metrics.result().robot_static_contacts, 1U);
+}
+
+TEST(Metrics, ReportsOfRobotsThatDoNotExistAreIgnored) {
+  Metrics metrics{1};
+  metrics.observe(with(at(seconds{1}, {{0, 0}, {3, 3}}), doing(77, Activity::kDriving)));
+  metrics.observe(item(seconds{2}, ItemEvent::Kind::kDelivery, 77, 1));
+
+  EXPECT_EQ(metrics.result().robots.size(), 1U);
+}
+
+RunFacts facts_of(std::uint32_t items) {
+  return {.scenario = "small",
+          .engine = "embedded",
+          .mode = "full",
+          .seed = 7,
+          .robots = 2,
+          .items = items,
+          .max_time = minutes{120}};
+}
+
+TEST(MetricsJson, HasExactlyTheKeysThatToolsRelyOnAndThoseAddedSince) {
+  Metrics metrics{2};
+  metrics.observe(with(at(seconds{10}, {{0, 0}, {1, 1}}), with_origin(1, Origin::kFound, {{0, 0}, {3, 4}})));
+  RunEnd end;
+  end.digest = "0123456789abcdef";
+  end.wall_time_s = 2.5;
+
+  const std::string text = metrics_json(facts_of(4), metrics.result(), end);
+
+  for (const char* key : {"scenario",
+                          "engine",
+                          "mode",
+                          "seed",
+                          "robots",
+                          "completed",
+                          "disturbed",
+                          "items_delivered",
+                          "sim_time_s",
+                          "wall_time_s",
+                          "real_time_factor",
+                          "digest",
+                          "round_trip_mean_s",
+                          "routes",
+                          "exchanges",
+                          "completed",
+                          "failed",
+                          "mean_duration_s",
+                          "contacts",
+                          "robot_robot",
+                          "robot_static",
+                          "per_robot",
+                          "id",
+                          "found_s",
+                          "received_s",
+                          "items",
+                          "path_length_m",
+                          "driving_s",
+                          "exchanging_s",
+                          "avoiding_s",
+                          "stuck_s",
+                          "idle_s",
+                          "longest_stuck_s",
+                          "time_split",
+                          "physics",
+                          "sensors",
+                          "radio",
+                          "agents",
+                          "transport"}) {
+    EXPECT_THAT(text, testing::HasSubstr("\"" + std::string{key} + "\": ")) << key;
+  }
+  EXPECT_THAT(text, testing::HasSubstr("\"found_s\": 10.0"));
+  EXPECT_THAT(text, testing::HasSubstr("\"found_s\": null"));
+  EXPECT_THAT(text, testing::HasSubstr("\"real_time_factor\": 4.0"));
+  EXPECT_THAT(text, testing::HasSubstr("\"path_length_m\": 5.0"));
+}
+
+TEST(Outcome, SaysHowARunEndedAndWhatToExitWith) {
+  const auto code = [](const RunFacts& facts, const RunEnd& end, std::uint32_t delivered, Time time) {
+    return exit_code_of(outcome_of(facts, end, delivered, time));
+  };
+  RunEnd interrupted;
+  interrupted.interrupted = true;
+  RunEnd failed;
+  failed.failure = "the world server died";
+
+  EXPECT_EQ(code(facts_of(4), {}, 4, minutes{20}), 0);
+  EXPECT_EQ(code(facts_of(4), {}, 3, minutes{120}), 1);
+  EXPECT_EQ(code(facts_of(0), {}, 0, minutes{120}), 0);
+  EXPECT_EQ(code(facts_of(4), interrupted, 3, minutes{20}), 130);
+  EXPECT_EQ(code(facts_of(4), failed, 4, minutes{20}), 1);
+}
+
+TEST(ResultTable, FitsInAHundredColumnsWithLargeNumbers) {
+  Metrics metrics{150};
+  metrics.observe(
+      with(at(minutes{9999}, {{0, 0}}), with_origin(100, Origin::kFound, {{0, 0}, {3000, 4000}})));
+  RunFacts facts = facts_of(100);
+  facts.seed = 1234567890;
+  RunEnd end;
+  end.wall_time_s = 12345.6;
+
+  const std::string table = result_table(facts, metrics.result(), end);
+
+  std::istringstream lines{table};
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+  EXPECT_THAT(table, testing::HasSubstr("1 found, 0 received, 149 without"));
+}
+
+}  // namespace
+}  // namespace caravan::deploy

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "deploy/metrics/record_files.hpp"
+#include "deploy/metrics/run_directory.hpp"
+#include "deploy/metrics/run_record.hpp"
+#include "runtime/config/start_error.hpp"
+#include "tests/unit/deploy/observations.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using test::at;
+using test::doing;
+using test::kStep;
+using test::with;
+
+class Outputs : public testing::Test {
+ protected:
+  Outputs() {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() /
+              ("caravan_outputs_" + std::string{info->name()} + "_" + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~Outputs() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::vector<std::string> lines_of(const std::string& name) const {
+    std::ifstream in{folder_ / name};
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Outputs, TracksHaveOneRowForEachRobotAndSimulatedSecond) {
+  RecordFiles files{folder_, 2};
+  for (int i = 0; i * kStep <= seconds{3}; ++i) {
+    files.observe(at(i * kStep, {{0.25 * i, 0.0}, {1.0, 2.0}}));
+  }
+  files.close();
+
+  EXPECT_THAT(
+      lines_of("tracks.csv"),
+      testing::ElementsAre("time_s,robot,x_m,y_m,yaw_rad,mode", "0.000,1,0.0000,0.0000,0.00000,explore",
+                           "0.000,2,1.0000,2.0000,0.00000,explore", "1.024,1,8.0000,0.0000,0.00000,explore",
+                           "1.024,2,1.0000,2.0000,0.00000,explore", "2.016,1,15.7500,0.0000,0.00000,explore",
+                           "2.016,2,1.0000,2.0000,0.00000,explore"));
+}
+
+TEST_F(Outputs, TracksSayTransportWithAPathAndExchangeDuringAnExchange) {
+  RecordFiles files{folder_, 1};
+  AgentReport report = doing(1, Activity::kDriving);
+  report.mode = Mode::kTransport;
+  files.observe(with(at(seconds{0}, {{0, 0}}), report));
+  report.activity = Activity::kExchanging;
+  files.observe(with(at(seconds{1}, {{0, 0}}), report));
+  files.close();
+
+  EXPECT_THAT(lines_of("tracks.csv"), testing::ElementsAre(testing::_, testing::EndsWith(",transport"),
+                                                           testing::EndsWith(",exchange")));
+}
+
+TEST_F(Outputs, TripsAreWrittenWhenTheNextPickUpEndsThemAndTheRestAtTheEnd) {
+  RecordFiles files{folder_, 2};
+  const auto item = [&](Time stamp, ItemEvent::Kind kind, std::uint32_t robot) {
+    Observation observation = at(stamp, {{0, 0}, {1, 1}});
+    observation.item_events = {{.kind = kind, .robot = robot}};
+    files.observe(observation);
+  };
+  item(seconds{10}, ItemEvent::Kind::kPickUp, 2);
+  item(seconds{20}, ItemEvent::Kind::kDelivery, 2);
+  item(seconds{30}, ItemEvent::Kind::kPickUp, 2);
+  files.flush();
+  EXPECT_THAT(lines_of("trips.csv"), testing::ElementsAre("robot,trip,picked_up_s,delivered_s,next_pick_up_s",
+                                                          "2,1,10.000,20.000,30.000"));
+  files.close();
+
+  EXPECT_EQ(lines_of("trips.csv").back(), "2,2,30.000,,");
+}
+
+TEST_F(Outputs, EventsTellWhatHappenedToWhomAndQuoteCommas) {
+  RecordFiles files{folder_, 2};
+  Observation first = at(seconds{0}, {{0, 0}, {1, 1}});
+  first.contacts = {{.robot = 1, .other = 2}, {.robot = 2, .other = 0}};
+  files.observe(first);
+  AgentReport report = doing(1, Activity::kDriving);
+  report.origin = Origin::kFound;
+  report.events = {{.name = "blocked", .detail = "at=\"1,2\""}};
+  report.exchanges = {
+      {.partner = 2, .session = 9, .completed = true, .began = seconds{1}, .ended = seconds{2}}};
+  Observation second = with(at(seconds{2}, {{0, 0}, {1, 1}}), report);
+  second.members = {1};
+  files.observe(second);
+  files.close();
+
+  EXPECT_THAT(lines_of("events.csv"),
+              testing::ElementsAre("time_s,robot,event,detail", "0.000,1,contact,with=2",
+                                   "0.000,2,contact,with=static", "2.000,2,left,", "2.000,1,found_path,",
+                                   "2.000,1,exchange,partner=2 session=9 primary=false completed=true "
+                                   "began_s=1.000 ended_s=2.000",
+                                   "2.000,1,blocked,\"at=\"\"1,2\"\"\""));
+}
+
+TEST_F(Outputs, AFolderThatHoldsSomethingIsRefusedAndAnEmptyOneTaken) {
+  EXPECT_EQ(make_run_directory(folder_, {}), folder_);
+  std::ofstream{folder_ / "metrics.json"} << "{}";
+
+  EXPECT_THROW((void)make_run_directory(folder_, {}), runtime::StartError);
+}
+
+TEST_F(Outputs, TwoRunsInTheSameSecondGetDifferentFolders) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  const RunFacts facts{.scenario = "small",
+                       .engine = "embedded",
+                       .mode = "full",
+                       .seed = 3,
+                       .robots = 1,
+                       .items = 1,
+                       .max_time = seconds{1}};
+
+  const fs::path one = make_run_directory(std::nullopt, facts);
+  const fs::path other = make_run_directory(std::nullopt, facts);
+
+  EXPECT_NE(one, other);
+  EXPECT_TRUE(fs::is_directory(one));
+  EXPECT_THAT(one.string(), testing::MatchesRegex("runs/small-full-3-[0-9]{8}-[0-9]{6}"));
+  fs::current_path(before);
+}
+
+TEST_F(Outputs, ARecordLeavesAllItsFilesAndTheExitCode) {
+  const RunFacts facts{.scenario = "small",
+                       .engine = "embedded",
+                       .mode = "full",
+                       .seed = 3,
+                       .robots = 1,
+                       .items = 1,
+                       .max_time = seconds{100}};
+  RunRecord record{facts, folder_, nullptr};
+  AgentReport report = doing(1, Activity::kDriving);
+  report.path_changed = true;
+  report.path = {{0, 0}, {1.5, 2}};
+  record.observe(with(at(seconds{0}, {{0, 0}}), report));
+  Observation end = at(seconds{5}, {{0, 0}});
+  end.items_delivered = 1;
+  record.observe(end);
+
+  EXPECT_EQ(record.close({}), 0);
+
+  for (const char* name : {"metrics.json", "tracks.csv", "trips.csv", "events.csv", "paths.csv"}) {
+    EXPECT_TRUE(fs::is_regular_file(folder_ / name)) << name;
+  }
+  EXPECT_THAT(lines_of("paths.csv"),
+              testing::ElementsAre("robot,index,x_m,y_m", "1,0,0.0000,0.0000", "1,1,1.5000,2.0000"));
+}
+
+TEST_F(Outputs, AFolderThatCannotBeWrittenIsAnErrorOfTheStart) {
+  EXPECT_THROW((RecordFiles{folder_ / "missing", 1}), runtime::StartError);
+}
+
+}  // namespace
+}  // namespace caravan::deploy
