@@ -29,6 +29,8 @@ int run_process(const Program& program, int argc, char** argv,
   app.set_version_flag("--version", std::string{kVersion});
   app.add_option("--scenario", start.scenario, "Scenario file (TOML)")->required();
   app.add_option("--domain", start.domain, "DDS domain, 0 to 232")->check(CLI::Range(0, 232));
+  app.add_option("--lease", start.lease_s, "Seconds of silence after which this process counts as gone")
+      ->check(CLI::Range(0.5, 60.0));
   app.add_flag("--check-config", start.check_only, "Check the configuration and end");
   app.add_option("--log-level", level, "Least severe message shown")
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error"}));

@@ -30,16 +30,17 @@ struct TextOption {
 };
 
 struct Program {
-  std::string name;
-  std::string purpose;
-  std::vector<NumberOption> numbers;
-  std::vector<TextOption> texts;
+  std::string name = {};
+  std::string purpose = {};
+  std::vector<NumberOption> numbers = {};
+  std::vector<TextOption> texts = {};
 };
 
 /// What the command line said.
 struct Start {
   std::filesystem::path scenario;
   std::uint32_t domain = 0;
+  double lease_s = 5.0;     ///< --lease: silent for so long, this process counts as gone
   bool check_only = false;  ///< --check-config: read and check the configuration, then end
 };
 

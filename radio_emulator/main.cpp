@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "radio_emulator/config/radio_config.hpp"
+#include "radio_emulator/shell/radio_shell.hpp"
+#include "runtime/process/run_process.hpp"
+#include "runtime/scenario/shared_tables.hpp"
+
+int main(int argc, char** argv) {
+  using namespace caravan;
+  const runtime::Program program{
+      .name = "radio_emulator", .purpose = "The emulated radio: who hears which frame, by range and channel"};
+  return runtime::run_process(
+      program, argc, argv, [](const runtime::Start& start, runtime::Loop& loop) -> int {
+        const runtime::TomlDocument scenario = runtime::TomlDocument::load(start.scenario);
+        const radio::MediumConfig config = radio::load_radio_config(scenario);
+        const std::uint32_t robots = runtime::read_robots(scenario).count;
+        if (start.check_only) return runtime::kDone;
+        const runtime::BusConfig bus{
+            .role = "radio_emulator", .domain = start.domain, .lease_s = start.lease_s};
+        return radio::RadioShell{config, robots, bus, loop}.run();
+      });
+}

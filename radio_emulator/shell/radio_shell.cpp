@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "radio_emulator/shell/radio_shell.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <limits>
+
+#include "idl/stamp.hpp"
+#include "radio_emulator/medium/chain.hpp"
+#include "runtime/process/run_process.hpp"
+
+namespace caravan::radio {
+namespace msg = caravan_interfaces::msg;
+using runtime::Discovery;
+using runtime::ParticipantId;
+using namespace std::chrono_literals;
+
+RadioShell::RadioShell(const MediumConfig& config, std::uint32_t robots, const runtime::BusConfig& bus,
+                       runtime::Loop& loop)
+    : config_{config}, loop_{loop}, robots_(robots), bus_{bus, [this](const Discovery& news) {
+                                                            if (news.kind != Discovery::Kind::kGone) return;
+                                                            const std::lock_guard lock{mailbox_mutex_};
+                                                            lost_.push_back(news.participant);
+                                                          }} {
+  radio_steps_ = bus_.writer<msg::RadioStepPubSubType>(idl::kRadioStep);
+  statuses_ = bus_.writer<msg::RadioStatusPubSubType>(idl::kRadioStatus);
+  for (std::uint32_t robot = 1; robot <= robots; ++robot) {
+    receives_.push_back(bus_.writer<msg::RadioReceivePubSubType>(idl::kRadioReceive, robot));
+  }
+  for (std::uint32_t robot = 1; robot <= robots; ++robot) {
+    robots_[robot - 1].pending.robot = robot;
+    bus_.reader<msg::RadioTransmitPubSubType>(
+        idl::kRadioTransmit, robot,
+        [this, robot](const msg::RadioTransmit& sample, const ParticipantId& sender) {
+          on_transmit(robot, sample, sender);
+        });
+  }
+  bus_.reader<msg::WorldTruthPubSubType>(
+      idl::kTruth, 0,
+      [this](const msg::WorldTruth& sample, const ParticipantId& /*sender*/) { on_truth(sample); });
+}
+
+RadioShell::~RadioShell() { bus_.close(); }
+
+bool RadioShell::follow_session(std::uint64_t session) {
+  if (session < session_) return false;
+  if (session == session_) return true;
+  session_ = session;
+  open_.reset();
+  newest_ = Time{-1};
+  chain_ = {};
+  for (Robot& robot : robots_) {
+    robot.sent_at.reset();
+    robot.pending.tuned = 0;
+    robot.pending.frames.clear();
+  }
+  return true;
+}
+
+void RadioShell::on_truth(const msg::WorldTruth& sample) {
+  const std::lock_guard lock{mutex_};
+  const Time stamp = idl::to_time(sample.stamp());
+  if (!follow_session(sample.session()) || stamp < newest_) {
+    ++stale_samples_;
+    return;
+  }
+  if (stamp > newest_ && open_) evaluate(false);
+  const bool evaluated_already = stamp == newest_ && !open_;
+  newest_ = stamp;
+  if (evaluated_already || sample.last()) return;
+  open_ = sample;
+  evaluate_if_complete();
+}
+
+void RadioShell::on_transmit(std::uint32_t robot, const msg::RadioTransmit& sample,
+                             const ParticipantId& sender) {
+  const std::lock_guard lock{mutex_};
+  {
+    const std::lock_guard mail{mailbox_mutex_};
+    for (const ParticipantId& lost : lost_) {
+      for (Robot& one : robots_) {
+        if (one.owner == lost) one.owner.reset();
+      }
+    }
+    lost_.clear();
+  }
+  Robot& from = robots_[robot - 1];
+  const Time stamp = idl::to_time(sample.stamp());
+  if (!from.owner) from.owner = sender;
+  if (!follow_session(sample.session()) || from.owner != sender || (from.sent_at && stamp <= *from.sent_at)) {
+    ++stale_samples_;
+    return;
+  }
+  from.sent_at = stamp;
+  from.pending.tuned = sample.tuned_channel();
+  for (const msg::RadioFrame& frame : sample.frames()) {
+    from.pending.frames.push_back({frame.channel(), frame.bytes()});
+  }
+  evaluate_if_complete();
+}
+
+std::vector<std::uint32_t> RadioShell::awaited() const {
+  std::vector<std::uint32_t> ids;
+  if (!open_) return ids;
+  const Time stamp = idl::to_time(open_->stamp());
+  for (const std::uint32_t member : open_->members()) {
+    if (member < 1 || member > robots_.size()) continue;
+    const auto& sent_at = robots_[member - 1].sent_at;
+    if (!sent_at || *sent_at < stamp) ids.push_back(member);
+  }
+  return ids;
+}
+
+void RadioShell::evaluate_if_complete() {
+  if (open_ && awaited().empty()) evaluate(true);
+}
+
+void RadioShell::evaluate(bool in_time) {
+  const auto began = std::chrono::steady_clock::now();
+  std::vector<bool> is_member(robots_.size(), false);
+  for (const std::uint32_t member : open_->members()) {
+    if (member >= 1 && member <= robots_.size()) is_member[member - 1] = true;
+  }
+  std::vector<Station> stations;
+  for (const msg::RobotTruth& robot : open_->robots()) {
+    if (robot.robot() >= 1 && robot.robot() <= robots_.size() && is_member[robot.robot() - 1]) {
+      stations.push_back({robot.robot(), robot.x_m(), robot.y_m()});
+    }
+  }
+  std::vector<Transmission> transmissions;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    Transmission& pending = robots_[i].pending;
+    const std::uint32_t tuned = pending.tuned;
+    if (is_member[i]) transmissions.push_back(std::move(pending));
+    pending = {static_cast<std::uint32_t>(i + 1), tuned, {}};
+  }
+  const Time stamp = idl::to_time(open_->stamp());
+  const std::vector<Reception> receptions =
+      deliver(config_, static_cast<std::uint64_t>(stamp.count()), stations, transmissions, drops_);
+  chain_step(chain_, stamp.count(), transmissions, receptions);
+  compute_ += std::chrono::steady_clock::now() - began;
+  ++steps_;
+  if (in_time) {
+    msg::RadioStep step;  // before the receptions: the world goes on while they are on their way
+    step.stamp(open_->stamp());
+    step.session(session_);
+    for (const Reception& reception : receptions) step.receivers().push_back(reception.robot);
+    step.chain(chain_.value());
+    radio_steps_.write(step);
+  }
+  publish_receptions(receptions, open_->next_stamp());
+  open_.reset();
+}
+
+void RadioShell::publish_receptions(const std::vector<Reception>& receptions,
+                                    const builtin_interfaces::msg::Time& stamp) {
+  for (const Reception& reception : receptions) {
+    msg::RadioReceive sample;
+    sample.stamp(stamp);
+    sample.session(session_);
+    for (const Frame& frame : reception.frames) {
+      msg::ReceivedFrame received;
+      received.channel(frame.channel);
+      received.bytes(frame.bytes);
+      received.signal_strength_dbm(std::numeric_limits<double>::quiet_NaN());
+      sample.frames().push_back(std::move(received));
+    }
+    deliveries_ += reception.frames.size();
+    receives_[reception.robot - 1].write(sample);
+  }
+}
+
+int RadioShell::run() {
+  for (;;) {
+    if (loop_.wait(std::chrono::steady_clock::now() + 1s) == runtime::Loop::Woken::kStop)
+      return runtime::kDone;
+    const std::lock_guard lock{mutex_};
+    publish_status();
+  }
+}
+
+void RadioShell::publish_status() {
+  msg::RadioStatus status;
+  status.stamp(idl::to_wire(std::max(newest_, Time{0})));
+  status.session(session_);
+  status.steps(steps_);
+  status.deliveries(deliveries_);
+  status.over_mtu(drops_.over_mtu);
+  status.bad_channel(drops_.bad_channel);
+  status.lost(drops_.lost);
+  status.queue_full(drops_.queue_full);
+  status.stale_samples(stale_samples_);
+  for (const std::uint32_t robot : awaited()) status.awaited().push_back("robot " + std::to_string(robot));
+  status.compute_s(std::chrono::duration<double>(compute_).count());
+  statuses_.write(status);
+}
+
+}  // namespace caravan::radio

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "radio_emulator/medium/medium.hpp"
+#include "robotPubSubTypes.h"
+#include "runtime/bus/bus.hpp"
+#include "runtime/process/loop.hpp"
+#include "runtime/pure/hash_chain.hpp"
+#include "worldPubSubTypes.h"
+
+namespace caravan::radio {
+
+/// The medium on the bus: with the truth of a step and what its members transmit, computes who receives what.
+///
+/// Runs on the bus's receiving thread; the main thread publishes the status. The world alone decides who is a
+/// member: this shell waits for exactly the robots that the truth names, and evaluates an unfinished step
+/// with what it has when the next truth comes (free pacing, or a world that stopped waiting).
+class RadioShell {
+ public:
+  RadioShell(const MediumConfig& config, std::uint32_t robots, const runtime::BusConfig& bus,
+             runtime::Loop& loop);
+  ~RadioShell();
+  RadioShell(const RadioShell&) = delete;
+  RadioShell& operator=(const RadioShell&) = delete;
+
+  /// Until the loop is told to stop. @return the exit code
+  int run();
+
+ private:
+  using Time = std::chrono::nanoseconds;
+
+  struct Robot {
+    std::optional<runtime::ParticipantId> owner;
+    std::optional<Time> sent_at;  // stamp of the newest transmission
+    Transmission pending;         // not evaluated yet; its tuned channel holds on
+  };
+
+  void on_truth(const caravan_interfaces::msg::WorldTruth& sample);
+  void on_transmit(std::uint32_t robot, const caravan_interfaces::msg::RadioTransmit& sample,
+                   const runtime::ParticipantId& sender);
+  /// False: a sample of a session that is over. A newer session starts everything anew.
+  [[nodiscard]] bool follow_session(std::uint64_t session);
+  [[nodiscard]] std::vector<std::uint32_t> awaited() const;
+  void evaluate_if_complete();
+  /// @param in_time the world still waits for this step
+  void evaluate(bool in_time);
+  void publish_receptions(const std::vector<Reception>& receptions,
+                          const builtin_interfaces::msg::Time& stamp);
+  void publish_status();
+
+  const MediumConfig config_;
+  runtime::Loop& loop_;
+
+  std::mutex mutex_;
+  std::uint64_t session_ = 0;
+  std::vector<Robot> robots_;                                // [0] is robot 1
+  std::optional<caravan_interfaces::msg::WorldTruth> open_;  // the step that is not evaluated yet
+  Time newest_{-1};                                          // stamp of the newest truth
+  pure::HashChain chain_;
+  Drops drops_;
+  std::uint64_t steps_ = 0;
+  std::uint64_t deliveries_ = 0;
+  std::uint64_t stale_samples_ = 0;
+  std::chrono::nanoseconds compute_{0};
+
+  std::mutex mailbox_mutex_;
+  std::vector<runtime::ParticipantId> lost_;
+
+  runtime::Bus bus_;  // after the state, so that no callback outlives it
+  runtime::Writer<caravan_interfaces::msg::RadioStepPubSubType> radio_steps_;
+  std::vector<runtime::Writer<caravan_interfaces::msg::RadioReceivePubSubType>> receives_;
+  runtime::Writer<caravan_interfaces::msg::RadioStatusPubSubType> statuses_;
+};
+
+}  // namespace caravan::radio

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/process/run_process.hpp"
+#include "world_server/shell/world_shell.hpp"
+
+int main(int argc, char** argv) {
+  using namespace caravan;
+  std::vector<std::string> awaited;
+  const runtime::Program program{
+      .name = "world_server",
+      .purpose = "The emulated world: physics, sensors, items and the step barrier",
+      .texts = {{"--await", "Observer without which the run does not start", &awaited}}};
+  return runtime::run_process(program, argc, argv,
+                              [&](const runtime::Start& start, runtime::Loop& loop) -> int {
+                                const world::WorldConfig config =
+                                    world::load_world_config(runtime::TomlDocument::load(start.scenario));
+                                if (start.check_only) return runtime::kDone;
+                                const runtime::BusConfig bus{
+                                    .role = "world_server", .domain = start.domain, .lease_s = start.lease_s};
+                                return world::WorldShell{config, bus, awaited, loop}.run();
+                              });
+}

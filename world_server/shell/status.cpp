@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the world says of its health.
+#include <spdlog/spdlog.h>
+
+#include "idl/stamp.hpp"
+#include "world_server/shell/world_shell.hpp"
+
+namespace caravan::world {
+namespace msg = caravan_interfaces::msg;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr auto kStatusPeriod = 500ms;
+
+std::vector<std::string> in_words(const std::vector<std::uint32_t>& ids) {
+  std::vector<std::string> names;
+  for (const std::uint32_t id : ids) names.push_back(id == 0 ? "radio" : "robot " + std::to_string(id));
+  return names;
+}
+
+double seconds(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
+
+}  // namespace
+
+void WorldShell::name_the_late(Wall now) {
+  const std::vector<std::uint32_t> hung = barrier_.hung(now);
+  if (hung != named_hung_ && !hung.empty()) {
+    spdlog::warn("hung stamp_s={:.3f}: alive but not answering: {}", seconds(stamp_),
+                 fmt::join(in_words(hung), ", "));
+  }
+  named_hung_ = hung;
+}
+
+void WorldShell::publish_status(Wall now) {
+  status_due_ = now + kStatusPeriod;
+  const double since = seconds(now - tallies_.last_status);
+  const std::uint64_t steps = world_.step();
+  msg::WorldStatus status;
+  status.stamp(idl::to_wire(stamp_));
+  status.session(session_);
+  status.state(phase_ == Phase::kWaiting    ? msg::WorldStatus_Constants::WAITING
+               : phase_ == Phase::kFinished ? msg::WorldStatus_Constants::FINISHED
+                                            : msg::WorldStatus_Constants::RUNNING);
+  status.missing(missing());
+  status.hung(in_words(named_hung_));
+  status.gone(in_words(barrier_.gone()));
+  status.members(static_cast<std::uint32_t>(barrier_.members().size()));
+  status.steps_per_s(since > 0.0 ? static_cast<double>(steps - tallies_.steps_at_status) / since : 0.0);
+  status.items_delivered(world_.items_delivered());
+  status.completed(phase_ == Phase::kFinished && config_.experiment.items > 0 &&
+                   world_.items_delivered() >= config_.experiment.items);
+  status.disturbed(barrier_.disturbed());
+  status.digest(digest_);
+  status.steps(steps);
+  status.refused_commands(tallies_.refused_commands);
+  status.clamped_commands(tallies_.clamped_commands);
+  status.stale_samples(tallies_.stale_samples);
+  status.empty_closings(world_.empty_closings());
+  const Wall until = phase_ == Phase::kFinished ? tallies_.ended : now;
+  status.wall_s(phase_ == Phase::kWaiting ? 0.0 : seconds(until - tallies_.started));
+  status.physics_s(seconds(tallies_.physics));
+  status.sensors_s(seconds(tallies_.sensors));
+  tallies_.steps_at_status = steps;
+  tallies_.last_status = now;
+  if (!statuses_.write(status)) ++tallies_.refused_writes;
+}
+
+}  // namespace caravan::world

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+#include "world_server/barrier/barrier.hpp"
+
+namespace caravan::world {
+
+/// What the status says of the past.
+struct Tallies {
+  std::uint64_t refused_commands = 0;
+  std::uint64_t clamped_commands = 0;
+  std::uint64_t stale_samples = 0;
+  std::uint64_t refused_writes = 0;  // samples that DDS did not take
+  std::chrono::nanoseconds physics{0};
+  std::chrono::nanoseconds sensors{0};
+  Wall started{};
+  Wall ended{};
+  std::uint64_t steps_at_status = 0;
+  Wall last_status{};
+};
+
+/// Adds the time it lives to a tally.
+class Stopwatch {
+ public:
+  explicit Stopwatch(std::chrono::nanoseconds& tally)
+      : tally_{tally}, began_{std::chrono::steady_clock::now()} {}
+  ~Stopwatch() { tally_ += std::chrono::steady_clock::now() - began_; }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  std::chrono::nanoseconds& tally_;
+  Wall began_;
+};
+
+}  // namespace caravan::world

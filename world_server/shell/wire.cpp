@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world_server/shell/wire.hpp"
+
+namespace caravan::world {
+namespace msg = caravan_interfaces::msg;
+
+void to_wire(const Senses& senses, msg::SensorFrame& frame) {
+  frame.sonar_range_m(senses.sonar_range_m);
+  frame.sonar_age_s(senses.sonar_age_s);
+  frame.gps_x_m(senses.gps_x_m);
+  frame.gps_y_m(senses.gps_y_m);
+  frame.compass_yaw_rad(senses.compass_yaw_rad);
+  frame.left_wheel_rad(senses.left_wheel_rad);
+  frame.right_wheel_rad(senses.right_wheel_rad);
+  frame.holding(senses.holding);
+}
+
+void to_wire(const World& world, std::span<const std::uint32_t> members, msg::WorldTruth& truth) {
+  truth.members().assign(members.begin(), members.end());
+  const auto poses = world.poses();
+  truth.robots().resize(poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    msg::RobotTruth& robot = truth.robots()[i];
+    robot.robot(static_cast<std::uint32_t>(i + 1));
+    robot.x_m(poses[i].x_m);
+    robot.y_m(poses[i].y_m);
+    robot.yaw_rad(poses[i].yaw_rad);
+  }
+  truth.contacts().clear();
+  for (const ContactEpisode& contact : world.contacts()) {
+    msg::ContactEpisode episode;
+    episode.robot(contact.robot);
+    episode.other(contact.other);
+    truth.contacts().push_back(episode);
+  }
+  truth.item_events().clear();
+  for (const ItemEvent& event : world.item_events()) {
+    msg::ItemEvent item;
+    item.kind(event.kind == ItemEvent::Kind::kDelivery ? msg::ItemEvent_Constants::DELIVERY
+                                                       : msg::ItemEvent_Constants::PICK_UP);
+    item.robot(event.robot);
+    truth.item_events().push_back(item);
+  }
+  truth.items_delivered(world.items_delivered());
+}
+
+}  // namespace caravan::world

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "robot.h"
+#include "world.h"
+#include "world_server/types.hpp"
+#include "world_server/world.hpp"
+
+namespace caravan::world {
+
+/// The world's values as they stand on the wire. `stamp` and `session` are the caller's to set.
+void to_wire(const Senses& senses, caravan_interfaces::msg::SensorFrame& frame);
+void to_wire(const World& world, std::span<const std::uint32_t> members,
+             caravan_interfaces::msg::WorldTruth& truth);
+
+}  // namespace caravan::world

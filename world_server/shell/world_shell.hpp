@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clockPubSubTypes.h"
+#include "robotPubSubTypes.h"
+#include "runtime/bus/bus.hpp"
+#include "runtime/process/loop.hpp"
+#include "worldPubSubTypes.h"
+#include "world_server/barrier/barrier.hpp"
+#include "world_server/shell/credits.hpp"
+#include "world_server/shell/tallies.hpp"
+#include "world_server/world.hpp"
+
+namespace caravan::world {
+
+/// The world on the bus: publishes what robots sense, moves the world when their commands are in, and holds
+/// the lockstep.
+///
+/// Steps run on the bus's receiving thread, where the last sample that a step needs arrives. The main thread
+/// keeps the deadlines (pacing, hung processes, status). Discovery leaves its news in a mailbox that either
+/// of the two empties.
+class WorldShell {
+ public:
+  /// @param awaited observers (by the name in their credit) without which the run does not start
+  WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
+             const std::vector<std::string>& awaited, runtime::Loop& loop);
+  ~WorldShell();
+  WorldShell(const WorldShell&) = delete;
+  WorldShell& operator=(const WorldShell&) = delete;
+
+  /// Until the loop is told to stop. @return the exit code
+  int run();
+
+ private:
+  enum class Phase : std::uint8_t { kWaiting, kOpen, kAdvanced, kClosed, kFinished };
+
+  // What arrives.
+  void on_command(std::uint32_t robot, const caravan_interfaces::msg::RobotCommand& sample,
+                  const runtime::ParticipantId& sender);
+  void on_radio_step(const caravan_interfaces::msg::RadioStep& sample, const runtime::ParticipantId& sender);
+  void on_credit(const caravan_interfaces::msg::RunCredit& sample, const runtime::ParticipantId& sender);
+  [[nodiscard]] bool is_current(std::uint64_t session, Time stamp) const;
+  [[nodiscard]] bool owns(std::optional<runtime::ParticipantId>& owner, const runtime::ParticipantId& sender);
+
+  // The step. All of these run under the lock.
+  void read_mailbox();
+  void forget(const runtime::Discovery& gone);
+  void progress();
+  [[nodiscard]] bool may_open(Wall now);
+  void open_step();
+  void publish_sensors();
+  void publish_truth(bool last);
+  void advance();
+  void finish();
+
+  // The main thread.
+  void watch(Wall now);
+  void free_step(Wall now);
+  void publish_status(Wall now);
+  void name_the_late(Wall now);
+  [[nodiscard]] Wall next_deadline(Wall now) const;
+  [[nodiscard]] std::vector<std::string> missing() const;
+
+  WorldConfig config_;
+  runtime::Loop& loop_;
+  const std::uint64_t session_;
+  const Time period_;
+
+  std::mutex mutex_;
+  World world_;
+  Barrier barrier_;
+  Credits credits_;
+  Tallies tallies_;
+  Phase phase_ = Phase::kWaiting;
+  Time stamp_{0};  // of the open step
+  std::vector<std::optional<Command>> commands_;
+  std::vector<Time> commanded_at_;
+  std::vector<std::optional<runtime::ParticipantId>> robot_owners_;
+  std::optional<runtime::ParticipantId> radio_owner_;
+  std::vector<bool> radio_due_;
+  std::uint64_t radio_chain_;
+  Wall due_{};  // of the next step, when paced
+  Wall status_due_{};
+  std::string digest_;
+  std::vector<std::uint32_t> named_hung_;
+  bool named_hold_ = false;
+
+  std::mutex mailbox_mutex_;
+  std::vector<runtime::Discovery> mailbox_;
+
+  caravan_interfaces::msg::SensorFrame frame_;
+  caravan_interfaces::msg::WorldTruth truth_;
+  runtime::Bus bus_;  // after the state, so that no callback outlives it
+  std::vector<runtime::Writer<caravan_interfaces::msg::SensorFramePubSubType>> sensors_;
+  runtime::Writer<caravan_interfaces::msg::WorldTruthPubSubType> truths_;
+  runtime::Writer<rosgraph_msgs::msg::ClockPubSubType> clock_;
+  runtime::Writer<caravan_interfaces::msg::WorldStatusPubSubType> statuses_;
+};
+
+}  // namespace caravan::world
