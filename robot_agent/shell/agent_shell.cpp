@@ -93,6 +93,15 @@ void AgentShell::step(const msg::SensorFrame& frame) {
   heard_.clear();
   compute_ += std::chrono::steady_clock::now() - began;
 
+  // Telemetry first: the world's next step needs the command, so an observer that sees the step has this
+  // report already.
+  if (outputs.reports) {
+    msg::Telemetry telemetry = to_telemetry(outputs.report);
+    telemetry.stamp(frame.stamp());
+    telemetry.session(session_);
+    telemetry.compute_s(std::chrono::duration<double>(compute_).count());
+    if (!telemetry_.write(telemetry)) ++refused_writes_;
+  }
   msg::RobotCommand command = to_command(outputs);
   command.stamp(frame.stamp());
   command.session(session_);
@@ -101,13 +110,6 @@ void AgentShell::step(const msg::SensorFrame& frame) {
   transmit.stamp(frame.stamp());
   transmit.session(session_);
   if (!transmits_.write(transmit)) ++refused_writes_;
-  if (outputs.reports) {
-    msg::Telemetry telemetry = to_telemetry(outputs.report);
-    telemetry.stamp(frame.stamp());
-    telemetry.session(session_);
-    telemetry.compute_s(std::chrono::duration<double>(compute_).count());
-    if (!telemetry_.write(telemetry)) ++refused_writes_;
-  }
   waiting_.reset();
 }
 

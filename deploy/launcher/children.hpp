@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace caravan::deploy {
+
+/// How a child ended.
+struct Ended {
+  std::string name;
+  pid_t pid = 0;
+  int exit_code = 0;  ///< 128 + n when signal n killed it
+};
+
+/// The run's processes: started as direct children, each with a log file, and stopped together.
+///
+/// A thread waits for their ends, so that nothing polls. Children receive SIGTERM when this process dies.
+class Children {
+ public:
+  /// @param log_folder  exists; each child's standard error and output go to <name>.log in it
+  /// @param on_end      called on the waiting thread after each end
+  Children(std::filesystem::path log_folder, std::function<void()> on_end);
+  /// Stops what still runs.
+  ~Children();
+  Children(const Children&) = delete;
+  Children& operator=(const Children&) = delete;
+
+  /// @throws StartError when it cannot be started
+  void start(const std::string& name, const std::vector<std::string>& command_line);
+  /// After the last start: begins to wait for ends.
+  void watch();
+  /// Ends since the last call, in order.
+  [[nodiscard]] std::vector<Ended> ended();
+  [[nodiscard]] std::vector<pid_t> running() const;
+  /// SIGTERM to all, SIGKILL to those that need longer than `patience`. @return names of those killed
+  std::vector<std::string> stop(std::chrono::milliseconds patience);
+
+ private:
+  void wait_for_ends();
+  void signal_all(int signal) const;
+  bool wait_until_none(std::chrono::milliseconds patience);
+
+  std::filesystem::path log_folder_;
+  std::function<void()> on_end_;
+  mutable std::mutex mutex_;
+  std::condition_variable none_left_;
+  std::map<pid_t, std::string> running_;
+  std::vector<Ended> ended_;
+  std::thread waiter_;
+};
+
+}  // namespace caravan::deploy

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/launcher/observer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "idl/stamp.hpp"
+
+namespace caravan::deploy {
+namespace msg = caravan_interfaces::msg;
+using runtime::ParticipantId;
+
+namespace {
+
+constexpr std::size_t kWorthALook = 32;  // steps; an eighth of what the world may run ahead
+
+Time from_seconds(double seconds) { return Time{std::llround(seconds * 1e9)}; }
+
+Observation to_observation(const msg::WorldTruth& truth) {
+  Observation seen;
+  seen.stamp = idl::to_time(truth.stamp());
+  for (const msg::RobotTruth& robot : truth.robots()) {
+    seen.poses.push_back({robot.robot(), {robot.x_m(), robot.y_m()}, robot.yaw_rad()});
+  }
+  seen.members = truth.members();
+  for (const msg::ContactEpisode& contact : truth.contacts())
+    seen.contacts.push_back({contact.robot(), contact.other()});
+  for (const msg::ItemEvent& event : truth.item_events()) {
+    const bool delivery = event.kind() == msg::ItemEvent_Constants::DELIVERY;
+    seen.item_events.push_back(
+        {delivery ? ItemEvent::Kind::kDelivery : ItemEvent::Kind::kPickUp, event.robot()});
+  }
+  seen.items_delivered = truth.items_delivered();
+  return seen;
+}
+
+AgentReport to_report(std::uint32_t robot, const msg::Telemetry& telemetry) {
+  AgentReport report;
+  report.robot = robot;
+  report.mode = static_cast<Mode>(telemetry.mode());
+  report.activity = static_cast<Activity>(telemetry.activity());
+  report.origin = static_cast<Origin>(telemetry.origin());
+  report.towards_destination = telemetry.towards_destination();
+  report.trips = telemetry.trips();
+  report.path_changed = telemetry.path_changed();
+  for (const msg::PathPoint& point : telemetry.path()) report.path.push_back({point.x_m(), point.y_m()});
+  for (const msg::ExchangeReport& exchange : telemetry.exchanges()) {
+    report.exchanges.push_back({exchange.partner(), exchange.exchange_number(), exchange.primary(),
+                                exchange.completed(), from_seconds(exchange.began_s()),
+                                from_seconds(exchange.ended_s())});
+  }
+  for (const msg::AgentEvent& event : telemetry.events())
+    report.events.push_back({event.name(), event.detail()});
+  return report;
+}
+
+}  // namespace
+
+Observer::Observer(const runtime::BusConfig& bus, const std::string& name, std::uint32_t robots,
+                   runtime::Loop& loop)
+    : loop_{loop}, name_{name}, bus_{bus} {
+  credit_ = bus_.writer<msg::RunCreditPubSubType>(idl::kRunCredit);
+  for (std::uint32_t robot = 1; robot <= robots; ++robot) {
+    bus_.reader<msg::TelemetryPubSubType>(
+        idl::kTelemetry, robot,
+        [this, robot](const msg::Telemetry& sample, const ParticipantId&) { on_telemetry(robot, sample); });
+  }
+  bus_.reader<msg::WorldTruthPubSubType>(
+      idl::kTruth, 0, [this](const msg::WorldTruth& sample, const ParticipantId&) { on_truth(sample); });
+  bus_.reader<msg::WorldStatusPubSubType>(idl::kWorldStatus, 0,
+                                          [this](const msg::WorldStatus& sample, const ParticipantId&) {
+                                            const std::lock_guard lock{mutex_};
+                                            news_.world = sample;
+                                            if (sample.state() == msg::WorldStatus_Constants::FINISHED)
+                                              loop_.notify();
+                                          });
+  bus_.reader<msg::RadioStatusPubSubType>(idl::kRadioStatus, 0,
+                                          [this](const msg::RadioStatus& sample, const ParticipantId&) {
+                                            const std::lock_guard lock{mutex_};
+                                            news_.radio = sample;
+                                          });
+  give_credit(Time{0});
+}
+
+Observer::~Observer() { bus_.close(); }
+
+void Observer::on_truth(const msg::WorldTruth& truth) {
+  const std::lock_guard lock{mutex_};
+  session_ = truth.session();
+  if (open_ && idl::to_time(truth.stamp()) <= open_->stamp) {
+    open_->members = truth.members();  // the same step again, without whom it lost
+    return;
+  }
+  close_step();
+  open_ = to_observation(truth);
+  if (truth.last()) {
+    close_step();
+    news_.last_seen = true;
+  }
+  if (news_.last_seen || news_.observations.size() >= kWorthALook) loop_.notify();
+}
+
+void Observer::close_step() {
+  if (!open_) return;
+  const auto until = reports_.upper_bound(open_->stamp);
+  for (auto report = reports_.begin(); report != until; ++report) {
+    open_->agent_reports.push_back(std::move(report->second));
+  }
+  reports_.erase(reports_.begin(), until);
+  std::stable_sort(open_->agent_reports.begin(), open_->agent_reports.end(),
+                   [](const AgentReport& a, const AgentReport& b) { return a.robot < b.robot; });
+  news_.observations.push_back(std::move(*open_));
+  open_.reset();
+}
+
+void Observer::on_telemetry(std::uint32_t robot, const msg::Telemetry& telemetry) {
+  const std::lock_guard lock{mutex_};
+  agent_compute_s_[robot] = telemetry.compute_s();
+  reports_.emplace(idl::to_time(telemetry.stamp()), to_report(robot, telemetry));
+}
+
+Observer::News Observer::look() {
+  const std::lock_guard lock{mutex_};
+  News taken = std::exchange(news_, {});
+  news_.world = taken.world;
+  news_.radio = taken.radio;
+  for (const auto& [robot, compute_s] : agent_compute_s_) taken.agents_compute_s += compute_s;
+  return taken;
+}
+
+void Observer::give_credit(Time stamp) {
+  msg::RunCredit credit;
+  credit.observer(name_);
+  {
+    const std::lock_guard lock{mutex_};
+    credit.session(session_);
+  }
+  credit.stamp(idl::to_wire(stamp));
+  credit_.write(credit);
+}
+
+}  // namespace caravan::deploy

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "deploy/metrics/observation.hpp"
+#include "robotPubSubTypes.h"
+#include "runtime/bus/bus.hpp"
+#include "runtime/process/loop.hpp"
+#include "worldPubSubTypes.h"
+
+namespace caravan::deploy {
+
+/// The launcher's ears on the bus: turns truth and telemetry into observations that miss nothing.
+///
+/// It gives the world credit, so the world never runs more than 256 steps ahead of it. An agent writes its
+/// telemetry before its command and the world's next truth needs that command, so when a truth arrives the
+/// reports of the step before are all here.
+class Observer {
+ public:
+  /// What has been heard since the last look.
+  struct News {
+    std::vector<Observation> observations;  ///< whole steps, in order
+    bool last_seen = false;                 ///< the run is decided and its last observation was among them
+    std::optional<caravan_interfaces::msg::WorldStatus> world;  ///< the newest
+    std::optional<caravan_interfaces::msg::RadioStatus> radio;
+    double agents_compute_s = 0.0;
+  };
+
+  /// @param name  by which the world knows this observer
+  /// @param loop  notified when enough has arrived to be worth a look
+  Observer(const runtime::BusConfig& bus, const std::string& name, std::uint32_t robots, runtime::Loop& loop);
+  ~Observer();
+  Observer(const Observer&) = delete;
+  Observer& operator=(const Observer&) = delete;
+
+  /// Takes what has arrived.
+  [[nodiscard]] News look();
+  /// Tells the world that everything up to `stamp` is handled.
+  void give_credit(Time stamp);
+
+ private:
+  void on_truth(const caravan_interfaces::msg::WorldTruth& truth);
+  void on_telemetry(std::uint32_t robot, const caravan_interfaces::msg::Telemetry& telemetry);
+  void close_step();
+
+  runtime::Loop& loop_;
+  std::string name_;
+  std::mutex mutex_;
+  std::uint64_t session_ = 0;
+  std::optional<Observation> open_;           // the newest truth, its reports still arriving
+  std::multimap<Time, AgentReport> reports_;  // of steps that are not closed
+  std::map<std::uint32_t, double> agent_compute_s_;
+  News news_;
+  runtime::Bus bus_;
+  runtime::Writer<caravan_interfaces::msg::RunCreditPubSubType> credit_;
+};
+
+}  // namespace caravan::deploy

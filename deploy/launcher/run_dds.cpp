@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/launcher/run_dds.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "deploy/launcher/children.hpp"
+#include "deploy/launcher/domain_lock.hpp"
+#include "deploy/launcher/observer.hpp"
+#include "deploy/launcher/shared_memory.hpp"
+#include "deploy/metrics/run_record.hpp"
+#include "runtime/process/run_process.hpp"
+#include "runtime/scenario/shared_tables.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+using namespace std::chrono_literals;
+using Wall = std::chrono::steady_clock::time_point;
+namespace msg = caravan_interfaces::msg;
+
+const std::string kObserverName = "launcher";
+constexpr auto kStopPatience = 1000ms;
+constexpr auto kLookPeriod = 250ms;
+
+/// One run over DDS, from the first process to the last.
+class DdsRun {
+ public:
+  explicit DdsRun(const RunRequest& request)
+      : request_{request},
+        experiment_{runtime::read_experiment(request.scenario)},
+        lock_{request.domain},
+        memory_{lock_.domain()},
+        observer_{bus_config(), kObserverName, request.facts.robots, request.loop},
+        record_{request.facts, request.folder, request.quiet ? nullptr : stdout},
+        children_{log_folder(), [&loop = request.loop] { loop.notify(); }} {}
+
+  int run();
+
+ private:
+  [[nodiscard]] double lease_s() const { return experiment_.pacing == runtime::Pacing::kFree ? 1.0 : 5.0; }
+  [[nodiscard]] runtime::BusConfig bus_config() const {
+    return {.role = kObserverName, .domain = lock_.domain(), .lease_s = lease_s()};
+  }
+  [[nodiscard]] std::filesystem::path log_folder() const {
+    std::filesystem::create_directories(request_.folder / "logs");
+    return request_.folder / "logs";
+  }
+  void start_everybody();
+  void start(const std::string& name, const std::string& program, std::vector<std::string> arguments);
+  /// Until the run is decided, interrupted or lost; sets `end_`.
+  void follow();
+  void look();
+  void mourn(const Ended& one);
+  void check_start(Wall now);
+  [[nodiscard]] RunEnd so_far() const;
+
+  const RunRequest& request_;
+  runtime::ExperimentTable experiment_;
+  DomainLock lock_;
+  SharedMemory memory_;
+  Observer observer_;
+  RunRecord record_;
+  Children children_;
+  Wall began_ = std::chrono::steady_clock::now();
+  Wall segments_noted_{};
+  bool decided_ = false;
+  bool stepped_ = false;
+  std::size_t agents_running_ = 0;
+  std::string failure_;
+  bool could_not_start_ = false;
+  bool interrupted_ = false;
+  Observer::News newest_;
+};
+
+void DdsRun::start(const std::string& name, const std::string& program, std::vector<std::string> arguments) {
+  const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  std::vector<std::string> line{folder / program,
+                                "--scenario",
+                                request_.scenario_file,
+                                "--domain",
+                                std::to_string(lock_.domain()),
+                                "--lease",
+                                std::to_string(lease_s())};
+  line.insert(line.end(), arguments.begin(), arguments.end());
+  children_.start(name, line);
+}
+
+void DdsRun::start_everybody() {
+  if (!request_.quiet) {
+    std::printf("DDS domain %u, logs in %s\n", lock_.domain(), (request_.folder / "logs").c_str());
+    std::fflush(stdout);
+  }
+  start("world_server", "world_server", {"--await", kObserverName});
+  start("radio_emulator", "radio_emulator", {});
+  for (std::uint32_t robot = 1; robot <= request_.facts.robots; ++robot) {
+    start("robot_agent_" + std::to_string(robot), "robot_agent", {"--robot", std::to_string(robot)});
+    ++agents_running_;
+  }
+  children_.watch();
+}
+
+void DdsRun::look() {
+  newest_ = observer_.look();
+  for (const Observation& observation : newest_.observations) record_.observe(observation);
+  if (!newest_.observations.empty()) {
+    stepped_ = true;
+    observer_.give_credit(newest_.observations.back().stamp);
+  }
+  decided_ = decided_ || newest_.last_seen;
+  record_.keep_up([this] { return so_far(); });
+}
+
+void DdsRun::mourn(const Ended& one) {
+  const std::string how = one.name + " (pid " + std::to_string(one.pid) + ") ended with exit code " +
+                          std::to_string(one.exit_code) + ", its log says why";
+  if (one.name.starts_with("robot_agent")) {
+    --agents_running_;
+    std::fprintf(stderr, "%s\n", how.c_str());
+    if (agents_running_ == 0) failure_ = "every agent has ended; the last was " + how;
+  } else if (one.name == "world_server") {
+    failure_ = how;
+  } else {
+    std::fprintf(stderr, "%s; the robots drive on alone\n", how.c_str());
+  }
+  could_not_start_ = could_not_start_ || (!stepped_ && one.exit_code == runtime::kCouldNotStart);
+  if (could_not_start_ && failure_.empty()) failure_ = how;
+}
+
+void DdsRun::check_start(Wall now) {
+  if (stepped_ || now - began_ < std::chrono::duration<double>(experiment_.start_timeout_s)) return;
+  failure_ =
+      "not started within " + std::to_string(static_cast<int>(experiment_.start_timeout_s)) + " s, missing:";
+  if (!newest_.world) failure_ += " world_server";
+  if (newest_.world) {
+    for (const std::string& name : newest_.world->missing()) failure_ += " " + name;
+  }
+  could_not_start_ = true;
+}
+
+void DdsRun::follow() {
+  while (!decided_ && failure_.empty()) {
+    const Wall now = std::chrono::steady_clock::now();
+    if (request_.loop.wait(now + kLookPeriod) == runtime::Loop::Woken::kStop) {
+      interrupted_ = true;
+      return;
+    }
+    look();
+    for (const Ended& one : children_.ended()) mourn(one);
+    check_start(now);
+    if (now - segments_noted_ > 2s) {
+      for (const pid_t pid : children_.running()) memory_.note(pid);
+      segments_noted_ = now;
+    }
+  }
+  // The deciding truth comes first, the status with the digest right behind it.
+  const Wall patience = std::chrono::steady_clock::now() + 2s;
+  while (decided_ && std::chrono::steady_clock::now() < patience) {
+    if (newest_.world && newest_.world->state() == msg::WorldStatus_Constants::FINISHED) return;
+    if (request_.loop.wait(patience) == runtime::Loop::Woken::kStop) return;
+    look();
+  }
+}
+
+RunEnd DdsRun::so_far() const {
+  RunEnd end;
+  end.interrupted = interrupted_;
+  end.failure = failure_;
+  if (!newest_.world) return end;
+  end.digest = newest_.world->digest();
+  end.disturbed = newest_.world->disturbed();
+  end.wall_time_s = newest_.world->wall_s();
+  end.time_split.physics_s = newest_.world->physics_s();
+  end.time_split.sensors_s = newest_.world->sensors_s();
+  end.time_split.radio_s = newest_.radio ? newest_.radio->compute_s() : 0.0;
+  end.time_split.agents_s = newest_.agents_compute_s;
+  const TimeSplit& split = end.time_split;
+  end.time_split.transport_s =
+      std::max(0.0, end.wall_time_s - split.physics_s - split.sensors_s - split.radio_s - split.agents_s);
+  return end;
+}
+
+int DdsRun::run() {
+  start_everybody();
+  follow();
+  for (const std::string& name : children_.stop(kStopPatience)) {
+    std::fprintf(stderr, "%s did not stop within 1 s and was killed\n", name.c_str());
+  }
+  look();
+  if (!failure_.empty()) std::fprintf(stderr, "%s\n", failure_.c_str());
+  const int code = record_.close(so_far());
+  return could_not_start_ ? static_cast<int>(runtime::kCouldNotStart) : code;
+}
+
+}  // namespace
+
+int run_dds(const RunRequest& request) { return DdsRun{request}.run(); }
+
+}  // namespace caravan::deploy

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "deploy/experiment/run_request.hpp"
+
+namespace caravan::deploy {
+
+/// Runs the experiment with world server, radio emulator and every agent as a process of its own, and stays
+/// until it is over.
+///
+/// @return the exit code of `caravan run`
+/// @throws runtime::StartError when the processes cannot be started
+[[nodiscard]] int run_dds(const RunRequest& request);
+
+}  // namespace caravan::deploy

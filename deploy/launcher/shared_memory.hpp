@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+namespace caravan::deploy {
+
+/// The shared-memory files that a run's processes leave behind when they are killed.
+///
+/// A killed process cannot remove its DDS segments, so they are noted while it lives. Only files of the run's
+/// domain and of noted processes are removed, and of these only those that no living process has mapped.
+class SharedMemory {
+ public:
+  explicit SharedMemory(std::uint32_t domain) : domain_{domain} {}
+  /// Removes the leftovers; the run's own participant must be closed by then.
+  ~SharedMemory() { remove_leftovers(); }
+  SharedMemory(const SharedMemory&) = delete;
+  SharedMemory& operator=(const SharedMemory&) = delete;
+
+  /// Remembers the DDS segments that the process has mapped now.
+  void note(pid_t process);
+
+ private:
+  void remove_leftovers() const;
+
+  std::uint32_t domain_;
+  std::set<std::string> segments_;  // file names in /dev/shm
+};
+
+}  // namespace caravan::deploy
