@@ -24,18 +24,32 @@ struct Config {
   // The body.
   double wheel_limit_mps = 1.6;
   double track_m = 0.330;
+  double body_ahead_m = 0.200;  ///< from the axle to the front
+  double body_length_m = 0.485;
+  double body_width_m = 0.381;
+  double sonar_aperture_rad = 0.4;  ///< full cone of each sonar
+  double sonar_range_m = 5.0;
+
+  // Exploration (Algorithm 2).
+  double exploration_step_m = 1.0;      ///< to the next location
+  double exploration_spread_rad = 0.6;  ///< a new direction is drawn within this of the heading, at first
 
   // Driving.
   double cruise_mps = 0.975;
   double slow_mps = 0.29;
   double slow_below_m = 1.0;  ///< an echo ahead nearer than this: slow
   double too_close_m = 0.5;   ///< nearer than this: avoid
+  double meeting_m = 1.2;     ///< an echo ahead nearer than this while a WAIT is heard: another robot
   double arrival_radius_m = 1.0;
 
   // Path record and smoothing (Algorithm 4).
   double point_spacing_m = 1.0;
   double vision_radius_m = 6.0;
   double detection_radius_m = 4.0;  ///< the destination is seen within it
+  double corridor_m = 0.6;          ///< full width that must be free of echoes on the way to a candidate
+  double shortcut_gain_m = 0.05;    ///< a shortcut that saves less is not worth it
+  std::chrono::nanoseconds shortcut_pause =
+      std::chrono::minutes{10};  ///< before a shortcut that was blocked is tried again
 
   // Communication (Algorithms 5 to 7).
   Sharing sharing = Sharing::kFull;
