@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "robot_agent/core/config.hpp"
+#include "robot_agent/core/rules.hpp"
 #include "robot_agent/core/types.hpp"
 
 namespace caravan::agent {
@@ -12,7 +13,7 @@ namespace caravan::agent {
 /// outputs.
 class Agent {
  public:
-  explicit Agent(const Config& config);
+  explicit Agent(const Config& config, const Rules& rules = {});
   ~Agent();
   Agent(Agent&&) noexcept;
   Agent& operator=(Agent&&) noexcept;

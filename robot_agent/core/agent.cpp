@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/agent.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <variant>
+
+#include "robot_agent/core/communication.hpp"
+#include "robot_agent/core/task/carrier.hpp"
+#include "robot_agent/core/task/explorer.hpp"
+
+namespace caravan::agent {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::uint64_t kDrivingStream = 0x6472697665ULL;
+constexpr Time kRemembersRobot = 200ms;
+constexpr double kBetterBy_m = 0.01;
+
+bool knows_where_it_is(const Sensors& sensors) {
+  return std::isfinite(sensors.p_WB.x()) && std::isfinite(sensors.p_WB.y()) &&
+         std::isfinite(sensors.yaw_WB_rad);
+}
+
+}  // namespace
+
+/// Algorithm 1. WAIT, the receiver queue and the exchange (lines 2 and 14 to 18) are Communication's; lines 3
+/// to 10 are Explorer's, 12 and 13 Carrier's.
+struct Agent::Impl {
+  Impl(const Config& its_config, const Rules& its_rules)
+      : config{its_config},
+        rules{its_rules},
+        communication{config},
+        driver{config, rules.when_meeting},
+        random{config.seed, pure::mix_all(kDrivingStream, config.id.value)},
+        task{Explorer{config}} {}
+
+  Outputs step(const Inputs& inputs);
+  [[nodiscard]] const Path& own_path() const;
+  [[nodiscard]] std::optional<Perception> perceive(const Inputs& inputs, bool robot_heard);
+  [[nodiscard]] Motion decide(const Perception& seen, Notes& notes);
+  void take(Path received, const Point& p_WB, Notes& notes);
+  void begin_carrying(Path path, Origin from, const Point& p_WB, Notes& notes);
+  void report(const Motion& motion, AirOutputs& air, Notes& notes, Outputs& outputs);
+
+  Config config;
+  Rules rules;
+  Communication communication;
+  Driver driver;
+  pure::Random random;
+  std::variant<Explorer, Carrier> task;
+  Origin origin = Origin::kNone;
+  std::optional<Time> robot_last_heard;
+  std::optional<Point> last_p_WB;
+  Report last_report;
+  bool reported = false;
+};
+
+const Path& Agent::Impl::own_path() const {
+  static const Path kNoPath;
+  const auto* carrier = std::get_if<Carrier>(&task);
+  return carrier == nullptr ? kNoPath : carrier->path();
+}
+
+std::optional<Perception> Agent::Impl::perceive(const Inputs& inputs, bool robot_heard) {
+  if (robot_heard) robot_last_heard = inputs.now;
+  if (!knows_where_it_is(inputs.sensors)) return std::nullopt;
+  last_p_WB = inputs.sensors.p_WB;
+  const Time remembers = std::max(kRemembersRobot, config.wait_period + config.wait_period / 5);
+  const bool near = robot_last_heard && inputs.now - *robot_last_heard <= remembers;
+  Perception seen{inputs.now,
+                  inputs.sensors.p_WB,
+                  inputs.sensors.yaw_WB_rad,
+                  inputs.sensors.holding,
+                  near,
+                  Surroundings{inputs.sensors, config}};
+  if (seen.around.is_blind()) return std::nullopt;
+  return seen;
+}
+
+Outputs Agent::Impl::step(const Inputs& inputs) {
+  Notes notes;
+  AirOutputs air = communication.step({inputs.now, inputs.heard, own_path()});
+  const std::optional<Perception> seen = perceive(inputs, air.robot_near);
+  if (air.received && last_p_WB) take(std::move(*air.received), *last_p_WB, notes);
+  if (auto* carrier = std::get_if<Carrier>(&task); carrier != nullptr && seen) carrier->sense(*seen, notes);
+
+  Motion motion;
+  if (air.stand_still) {
+    motion = driver.stand(Activity::kExchanging);
+  } else if (!seen) {
+    motion = driver.stand(Activity::kIdle);
+  } else {
+    motion = decide(*seen, notes);
+  }
+
+  Outputs outputs;
+  outputs.wheels = motion.wheels;
+  const auto* carrier = std::get_if<Carrier>(&task);
+  outputs.gripper_closed = carrier != nullptr && carrier->gripper_closed();
+  outputs.tuned = air.tuned;
+  outputs.frames = std::move(air.frames);
+  report(motion, air, notes, outputs);
+  return outputs;
+}
+
+Motion Agent::Impl::decide(const Perception& seen, Notes& notes) {
+  if (auto* carrier = std::get_if<Carrier>(&task)) return carrier->step(seen, driver, random, notes);
+  auto& explorer = std::get<Explorer>(task);
+  const Motion motion = explorer.step(seen, driver, random);
+  if (explorer.found()) {
+    begin_carrying(without_loops(*explorer.found()), Origin::kFound, seen.p_WB, notes);
+  }
+  return motion;
+}
+
+/// Algorithm 7 from the receiver's side: lines 9 to 12 without a path of its own, lines 1 to 6 with one.
+void Agent::Impl::take(Path received, const Point& p_WB, Notes& notes) {
+  if (received.size() < 2 || config.sharing == Sharing::kNone) return;
+  auto* carrier = std::get_if<Carrier>(&task);
+  if (carrier == nullptr) {
+    begin_carrying(std::move(received), Origin::kReceived, p_WB, notes);
+    return;
+  }
+  if (config.sharing != Sharing::kFull) return;
+  const double before = length_m(carrier->path());
+  Path chosen = rules.choose_path(carrier->path(), received);
+  const double after = length_m(chosen);
+  if (chosen.size() < 2 || after > before - kBetterBy_m) return;
+  carrier->adopt(std::move(chosen), p_WB);
+  notes.path_changed = true;
+  notes.add("merged_path", in_detail("from_m", before) + " " + in_detail("to_m", after));
+}
+
+void Agent::Impl::begin_carrying(Path path, Origin from, const Point& p_WB, Notes& notes) {
+  origin = from;
+  notes.path_changed = true;
+  notes.add(from == Origin::kFound ? "found_path" : "received_path", in_detail("length_m", length_m(path)));
+  task = Carrier{config, std::move(path), p_WB};
+}
+
+void Agent::Impl::report(const Motion& motion, AirOutputs& air, Notes& notes, Outputs& outputs) {
+  const auto* carrier = std::get_if<Carrier>(&task);
+  Report& now = outputs.report;
+  now.mode = carrier == nullptr ? Mode::kExplore : Mode::kTransport;
+  now.activity = motion.activity;
+  now.origin = origin;
+  now.towards_destination = carrier != nullptr && carrier->towards_destination();
+  now.trips = carrier == nullptr ? 0 : carrier->trips();
+  now.path_changed = notes.path_changed;
+  outputs.reports = !reported || notes.path_changed || !air.ended.empty() || !notes.events.empty() ||
+                    now.mode != last_report.mode || now.activity != last_report.activity ||
+                    now.origin != last_report.origin || now.trips != last_report.trips ||
+                    now.towards_destination != last_report.towards_destination;
+  last_report = now;
+  reported = true;
+  if (!outputs.reports) return;
+  if (notes.path_changed) now.path = own_path();
+  now.exchanges = std::move(air.ended);
+  now.events = std::move(notes.events);
+}
+
+Agent::Agent(const Config& config, const Rules& rules) : impl_{std::make_unique<Impl>(config, rules)} {}
+Agent::~Agent() = default;
+Agent::Agent(Agent&&) noexcept = default;
+Agent& Agent::operator=(Agent&&) noexcept = default;
+
+Outputs Agent::step(const Inputs& inputs) { return impl_->step(inputs); }
+
+}  // namespace caravan::agent

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "robot_agent/core/types.hpp"
+
+namespace caravan::agent {
+
+/// The same angle in (-pi, pi].
+[[nodiscard]] inline double wrapped(double angle_rad) {
+  const double turned = std::remainder(angle_rad, 2.0 * std::numbers::pi);
+  return turned <= -std::numbers::pi ? std::numbers::pi : turned;
+}
+
+/// The unit vector at an angle, counter-clockwise from the frame's x axis.
+[[nodiscard]] inline Point direction(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
+
+/// The angle of a vector, counter-clockwise from the frame's x axis; 0 for the null vector.
+[[nodiscard]] inline double angle_of(const Point& vector) { return std::atan2(vector.y(), vector.x()); }
+
+/// Third component of the cross product: positive when `b` lies to the left of `a`.
+[[nodiscard]] inline double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace caravan::agent

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robot_agent/core/navigation/manoeuvre.hpp"
+
+namespace caravan::agent {
+
+/// What a robot knows when something is in its way.
+struct Encounter {
+  const Perception& seen;
+  const Config& config;
+  double goal_bearing_rad = 0.0;  ///< where it wants to go, frame B
+  double draw = 0.5;  ///< a random number in [0, 1): two robots shall not mirror each other for ever
+  int attempt = 0;    ///< how often in a row, in this place
+};
+
+/// Decides how to give way. Replaceable: traffic management comes later.
+using AvoidanceRule = Manoeuvre (*)(const Encounter&);
+
+/// The paper's rule for another robot (section 3.2): both turn slightly left, go forward a little, resume.
+/// With no room on the left the robot backs off first.
+[[nodiscard]] Manoeuvre turn_slightly_left(const Encounter& encounter);
+
+/// For an obstacle that sends no WAIT: turns to the free direction nearest to the goal, goes forward a
+/// little, resumes. Nothing free: backs off and turns away.
+[[nodiscard]] Manoeuvre go_round(const Encounter& encounter);
+
+/// For a robot that drives and does not move: it touches something that its sonars do not see. Backs off,
+/// turns to the freer side, the other one at every second attempt and further each time, goes forward a
+/// little.
+[[nodiscard]] Manoeuvre free_itself(const Encounter& encounter);
+
+}  // namespace caravan::agent

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+
+#include "robot_agent/core/navigation/avoidance.hpp"
+#include "robot_agent/core/navigation/stuck.hpp"
+#include "runtime/pure/random.hpp"
+
+namespace caravan::agent {
+
+/// What came between the robot and its goal in a step.
+enum class Obstruction : std::uint8_t {
+  kNone,
+  kRobot,     ///< something ahead and a WAIT: it gives way
+  kObstacle,  ///< something ahead that sends no WAIT: it stands, the task decides
+  kTouch      ///< it does not move although it should: it frees itself
+};
+
+struct Motion {
+  Wheels wheels;
+  Activity activity = Activity::kDriving;
+  Obstruction obstruction = Obstruction::kNone;
+};
+
+/// Brings the robot to a goal past what is in the way.
+///
+///   state       | way free | robot ahead        | obstacle ahead        | does not move        | manoeuvre
+///   over
+///   ------------+----------+--------------------+-----------------------+----------------------+---------------
+///   Steering    | steer    | Manoeuvring (rule) | stand, tell kObstacle | Manoeuvring (free)   | -
+///   Manoeuvring | continue | continue           | continue              | Manoeuvring (free)   | Steering
+class Driver {
+ public:
+  Driver(const Config& config, AvoidanceRule when_meeting);
+
+  [[nodiscard]] Motion drive_to(const Point& goal_W, const Perception& seen, pure::Random& random);
+  /// Goes round the obstacle between the robot and the goal; to be called after kObstacle.
+  void go_round_towards(const Point& goal_W, const Perception& seen, pure::Random& random);
+  /// The robot stands in this step. A manoeuvre under way goes on afterwards.
+  [[nodiscard]] Motion stand(Activity activity);
+
+  /// Driving freely, not giving way.
+  [[nodiscard]] bool is_steering() const { return std::holds_alternative<Steering>(state_); }
+
+ private:
+  struct Steering {};
+  struct Manoeuvring {
+    Performance performance;
+  };
+  [[nodiscard]] Motion steer(const Point& goal_W, const Perception& seen, pure::Random& random);
+  [[nodiscard]] Motion moving(Wheels wheels, Activity activity, Obstruction obstruction);
+  [[nodiscard]] int attempts_at(const Perception& seen);
+
+  Config config_;
+  AvoidanceRule when_meeting_;
+  std::variant<Steering, Manoeuvring> state_;
+  StuckMonitor monitor_;
+  Wheels last_wheels_;
+  Point last_trouble_at_{0.0, 0.0};
+  Time last_trouble_{-std::chrono::hours{1}};
+  int attempts_ = 0;
+};
+
+}  // namespace caravan::agent

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/navigation/exploration.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace caravan::agent {
+namespace {
+
+constexpr int kDraws = 24;
+constexpr double kWidening = 1.2;
+/// Free space wanted behind the new location, so that the robot can turn there.
+constexpr double kRoomToTurn_m = 0.5;
+
+}  // namespace
+
+Point new_location_to_explore(const Perception& seen, const Config& config, pure::Random& random) {
+  const double wanted = config.exploration_step_m + config.body_ahead_m + kRoomToTurn_m;
+  double spread = config.exploration_spread_rad;
+  double best_bearing = 0.0;
+  double best_clearance = -1.0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const double bearing = random.uniform(-spread, spread);
+    const double clearance = seen.around.clearance_m({.bearing_rad = bearing,
+                                                      .half_width_m = 0.5 * config.corridor_m,
+                                                      .surface_m = 0.2,
+                                                      .surface_per_metre = 0.3});
+    if (clearance > best_clearance) {
+      best_clearance = clearance;
+      best_bearing = bearing;
+    }
+    if (clearance >= wanted) break;
+    spread = std::min(spread * kWidening, std::numbers::pi);
+  }
+  return seen.p_WB + config.exploration_step_m * direction(seen.yaw_WB_rad + best_bearing);
+}
+
+}  // namespace caravan::agent

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/navigation/steering.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace caravan::agent {
+namespace {
+
+constexpr double kTurnGain = 3.0;          // 1/s
+constexpr double kMostTurn_radps = 2.5;    // rad/s
+constexpr double kTurnsInPlace_rad = 0.8;  // bearings beyond it
+constexpr double kBesideBody_m = 0.04;     // on either side of the body
+
+double turn_rate(double bearing_rad) {
+  return std::clamp(kTurnGain * bearing_rad, -kMostTurn_radps, kMostTurn_radps);
+}
+
+Corridor beside_the_body(const Config& config, double bearing_rad) {
+  return {.bearing_rad = bearing_rad,
+          .half_width_m = 0.5 * config.body_width_m + kBesideBody_m,
+          .surface_m = 0.0,
+          .surface_per_metre = std::tan(0.5 * config.sonar_aperture_rad)};
+}
+
+}  // namespace
+
+Wheels wheels_for(double speed_mps, double turn_radps, const Config& config) {
+  const double difference = 0.5 * turn_radps * config.track_m;
+  Wheels wheels{speed_mps - difference, speed_mps + difference};
+  const double fastest = std::max(std::abs(wheels.left_mps), std::abs(wheels.right_mps));
+  if (fastest > config.wheel_limit_mps) {
+    wheels.left_mps *= config.wheel_limit_mps / fastest;
+    wheels.right_mps *= config.wheel_limit_mps / fastest;
+  }
+  return wheels;
+}
+
+Wheels turn_to(double bearing_rad, const Config& config) {
+  return wheels_for(0.0, turn_rate(bearing_rad), config);
+}
+
+Wheels steer_to(double bearing_rad, double speed_mps, const Config& config) {
+  const double share = std::max(0.0, 1.0 - std::abs(bearing_rad) / kTurnsInPlace_rad);
+  return wheels_for(speed_mps * share, turn_rate(bearing_rad), config);
+}
+
+double free_ahead_m(const Perception& seen, const Config& config, double bearing_rad) {
+  return std::max(0.0, seen.around.clearance_m(beside_the_body(config, bearing_rad)) - config.body_ahead_m);
+}
+
+double free_behind_m(const Perception& seen, const Config& config) {
+  const double behind = config.body_length_m - config.body_ahead_m;
+  return std::max(0.0, seen.around.clearance_m(beside_the_body(config, std::numbers::pi)) - behind);
+}
+
+double speed_for(double free_ahead_m, const Config& config) {
+  const double share = std::clamp(free_ahead_m / config.slow_below_m - 1.0, 0.0, 1.0);
+  return config.slow_mps + std::min(1.0, 2.0 * share) * (config.cruise_mps - config.slow_mps);
+}
+
+}  // namespace caravan::agent

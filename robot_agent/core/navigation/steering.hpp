@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robot_agent/core/config.hpp"
+#include "robot_agent/core/sensing/perception.hpp"
+
+namespace caravan::agent {
+
+/// Rim speeds for a speed of the base and a rate of turn (positive to the left), scaled down together to the
+/// wheel limit.
+[[nodiscard]] Wheels wheels_for(double speed_mps, double turn_radps, const Config& config);
+
+/// Turns towards a bearing in place.
+[[nodiscard]] Wheels turn_to(double bearing_rad, const Config& config);
+
+/// Drives towards a bearing: the further off it is, the slower; in place when it is far off.
+[[nodiscard]] Wheels steer_to(double bearing_rad, double speed_mps, const Config& config);
+
+/// Free distance ahead of the body, metres; 0 when something touches it.
+[[nodiscard]] double free_ahead_m(const Perception& seen, const Config& config, double bearing_rad = 0.0);
+/// The same behind the body.
+[[nodiscard]] double free_behind_m(const Perception& seen, const Config& config);
+
+/// Cruise, or slow when something is ahead.
+[[nodiscard]] double speed_for(double free_ahead_m, const Config& config);
+
+}  // namespace caravan::agent

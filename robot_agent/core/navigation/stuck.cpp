@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/navigation/stuck.hpp"
+
+#include <chrono>
+#include <cmath>
+
+namespace caravan::agent {
+namespace {
+
+// It moves when it came this far from where it was,
+constexpr double kMoved_m = 0.12;
+constexpr double kTurned_rad = 0.25;
+// and does not when it has been told to go this far since.
+constexpr double kCommanded_m = 0.5;
+constexpr double kCommanded_rad = 2.0;
+
+}  // namespace
+
+bool StuckMonitor::update(const Perception& seen, const Wheels& commanded, const Config& config) {
+  if (!anchored_) {
+    anchor(seen);
+    return false;
+  }
+  const double dt = std::chrono::duration<double>(seen.now - last_).count();
+  last_ = seen.now;
+  commanded_m_ += dt * std::abs(0.5 * (commanded.left_mps + commanded.right_mps));
+  commanded_rad_ += dt * std::abs(commanded.right_mps - commanded.left_mps) / config.track_m;
+  if (seen.distance_to(p_WB_) > kMoved_m || std::abs(wrapped(seen.yaw_WB_rad - yaw_WB_rad_)) > kTurned_rad) {
+    anchor(seen);
+    return false;
+  }
+  if (commanded_m_ < kCommanded_m && commanded_rad_ < kCommanded_rad) return false;
+  anchor(seen);
+  return true;
+}
+
+void StuckMonitor::anchor(const Perception& seen) {
+  anchored_ = true;
+  p_WB_ = seen.p_WB;
+  yaw_WB_rad_ = seen.yaw_WB_rad;
+  last_ = seen.now;
+  commanded_m_ = 0.0;
+  commanded_rad_ = 0.0;
+}
+
+}  // namespace caravan::agent

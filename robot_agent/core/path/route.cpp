@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/path/route.hpp"
+
+#include <algorithm>
+
+#include "robot_agent/core/path/following.hpp"
+#include "robot_agent/core/path/recording.hpp"
+#include "runtime/pure/assert.hpp"
+
+namespace caravan::agent {
+namespace {
+
+constexpr double kReached_m = 0.35;
+constexpr double kSamePoint_m = 0.05;  // as in merge()
+
+}  // namespace
+
+Route::Route(Path driven, bool towards_destination, const Point& p_WB)
+    : driven_{std::move(driven)}, towards_destination_{towards_destination} {
+  CARAVAN_ASSERT(driven_.size() >= 2);
+  plan_from_driven();
+  next_ = nearest_location(plan_, p_WB);
+}
+
+void Route::plan_from_driven() {
+  plan_ = driven_;
+  if (!towards_destination_) std::reverse(plan_.begin(), plan_.end());
+  provisional_.reset();
+  back_.clear();
+  measure();
+}
+
+void Route::measure() {
+  to_end_m_.assign(plan_.size(), 0.0);
+  for (std::size_t i = plan_.size() - 1; i > 0; --i) {
+    to_end_m_[i - 1] = to_end_m_[i] + (plan_[i] - plan_[i - 1]).norm();
+  }
+}
+
+void Route::confirm() {
+  driven_ = plan_;
+  if (!towards_destination_) std::reverse(driven_.begin(), driven_.end());
+  provisional_.reset();
+}
+
+double Route::off_path_m(const Point& p_WB) const {
+  return project(std::span{plan_}.subspan(next_ - 1, 2), p_WB).distance_m;
+}
+
+double Route::remaining_m(const Point& p_WB) const {
+  double sum = to_end_m_[next_];
+  Point from = p_WB;
+  for (auto point = back_.rbegin(); point != back_.rend(); ++point) {
+    sum += (*point - from).norm();
+    from = *point;
+  }
+  return sum + (plan_[next_] - from).norm();
+}
+
+bool Route::advance(const Point& p_WB) {
+  if (!back_.empty()) {
+    if ((back_.back() - p_WB).norm() < kReached_m) back_.pop_back();
+    return false;
+  }
+  next_ = next_location(plan_, next_, p_WB);
+  if (!provisional_ || next_ <= provisional_->last) return false;
+  confirm();
+  return true;
+}
+
+Point Route::goal(const Point& p_WB) const {
+  return back_.empty() ? steering_point(plan_, next_, p_WB) : back_.back();
+}
+
+void Route::shorten(const Point& p_WB, std::size_t candidate, double spacing_m) {
+  CARAVAN_ASSERT(back_.empty());
+  const Point to = plan_[candidate];
+  const std::size_t old_size = plan_.size();
+  std::size_t next = 0;
+  std::size_t last = 0;
+  Path plan = with_shortcut(ahead(), p_WB, candidate, spacing_m, next, last);
+  Provisional now{next - 1, last, {p_WB, to}};
+  if (provisional_) {
+    now.first = std::min(now.first, provisional_->first);
+    if (provisional_->last > candidate) now.last = plan.size() - (old_size - provisional_->last);
+  }
+  plan_ = std::move(plan);
+  next_ = next;
+  provisional_ = now;
+  measure();
+}
+
+Route::Ends Route::restore(const Point& p_WB) {
+  CARAVAN_ASSERT(provisional_.has_value());
+  const Ends blocked = provisional_->latest;
+  // Back on what was driven of the shortcut, to the vertex where it left the old path.
+  std::vector<Point> back(plan_.begin() + static_cast<std::ptrdiff_t>(provisional_->first),
+                          plan_.begin() + static_cast<std::ptrdiff_t>(next_));
+  if (back.empty()) back.push_back(plan_[provisional_->first]);
+  const Point left_at = back.front();
+  // `back` is passed from its end.
+  plan_from_driven();
+  next_ = nearest_location(plan_, left_at);
+  while (!back.empty() && (back.back() - p_WB).norm() < kReached_m) back.pop_back();
+  back_ = std::move(back);
+  return blocked;
+}
+
+void Route::rejoin(const Point& p_WB) {
+  plan_from_driven();
+  next_ = nearest_location(plan_, p_WB);
+}
+
+void Route::turn_round(const Point& p_WB) {
+  confirm();
+  driven_ = without_loops(driven_);
+  towards_destination_ = !towards_destination_;
+  plan_from_driven();
+  next_ = nearest_location(plan_, p_WB);
+}
+
+void Route::replace(Path driven, const Point& p_WB) {
+  CARAVAN_ASSERT(driven.size() >= 2);
+  if (provisional_) restore(p_WB);
+  // Along the old path up to where it meets the new one; both have the same end.
+  std::vector<Point> way(back_.rbegin(), back_.rend());
+  const Path old = plan_;
+  const std::size_t old_next = next_;
+  driven_ = std::move(driven);
+  plan_from_driven();
+  for (std::size_t i = old_next; i < old.size(); ++i) {
+    way.push_back(old[i]);
+    if (project(plan_, old[i]).distance_m <= kSamePoint_m) break;
+  }
+  next_ = nearest_location(plan_, way.back());
+  if (project(plan_, p_WB).distance_m <= kReached_m) {
+    next_ = nearest_location(plan_, p_WB);
+    way.clear();
+  }
+  std::reverse(way.begin(), way.end());
+  back_ = std::move(way);
+}
+
+}  // namespace caravan::agent

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "robot_agent/core/config.hpp"
+#include "robot_agent/core/path/path.hpp"
+#include "robot_agent/core/path/refusals.hpp"
+#include "robot_agent/core/sensing/perception.hpp"
+
+namespace caravan::agent {
+
+/// True when the sonars say that the robot can drive straight to a point: the bearing lies in the front fan
+/// and no echo lies inside a corridor of config.corridor_m up to the point. Sonars see 5 m; beyond that, and
+/// where a surface reflects nothing, it is trust: what rests on it is provisional.
+[[nodiscard]] bool is_reachable(const Perception& seen, const Point& candidate, const Config& config);
+
+/// The part of a path that lies ahead, in the direction of travel.
+struct Ahead {
+  std::span<const Point> plan;       ///< the whole path in the order of travel
+  std::span<const double> to_end_m;  ///< length from each vertex to the end
+  std::size_t next = 0;              ///< the vertex that the robot drives to
+};
+
+struct Shortcut {
+  std::size_t candidate = 0;  ///< index of the vertex that it leads to
+  double gain_m = 0.0;        ///< how much shorter the way becomes
+};
+
+/// Algorithm 4, Modified ApplyPathSmoothing(), lines 1 to 16: of the vertices ahead within
+/// config.vision_radius_m that are reachable, the one that shortens the way most. The order of travel makes
+/// it work in both directions.
+///
+/// @param least_gain_m  a shortcut that saves less is none
+[[nodiscard]] std::optional<Shortcut> find_shortcut(const Ahead& ahead, const Perception& seen,
+                                                    const Config& config, const Refusals& refusals,
+                                                    double least_gain_m);
+
+/// Lines 17 and 18: the path with new vertices on the straight line from where the robot is to the candidate,
+/// in place of the old ones.
+///
+/// @param at      where the robot is; becomes a vertex
+/// @param[out] next  index in the result of the first vertex after `at`
+/// @param[out] last  index in the result of the candidate
+[[nodiscard]] Path with_shortcut(const Ahead& ahead, const Point& at, std::size_t candidate, double spacing_m,
+                                 std::size_t& next, std::size_t& last);
+
+}  // namespace caravan::agent

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robot_agent/core/angle.hpp"
+#include "robot_agent/core/sensing/surroundings.hpp"
+#include "robot_agent/core/types.hpp"
+
+namespace caravan::agent {
+
+/// What one step's sensors and radio say, for the parts that drive. Position and heading are known.
+struct Perception {
+  Time now{0};
+  Point p_WB{0.0, 0.0};
+  double yaw_WB_rad = 0.0;
+  bool holding = false;
+  bool robot_near = false;  ///< a WAIT was heard just now
+  Surroundings around;
+
+  /// Where a point of W lies as seen by the robot: 0 ahead, positive to the left.
+  [[nodiscard]] double bearing_to(const Point& p_W) const {
+    return wrapped(angle_of(p_W - p_WB) - yaw_WB_rad);
+  }
+  [[nodiscard]] double distance_to(const Point& p_W) const { return (p_W - p_WB).norm(); }
+};
+
+}  // namespace caravan::agent

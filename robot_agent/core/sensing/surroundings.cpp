@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/sensing/surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "robot_agent/core/angle.hpp"
+
+namespace caravan::agent {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Mount {
+  double x_m, y_m, heading_deg;
+};
+// The Pioneer 3-DX's two arrays, frame B: 0 .. 7 in front from left to right, 8 .. 15 behind.
+constexpr std::array<Mount, kSonarCount> kMounts = {{{0.069, 0.136, 90},
+                                                     {0.114, 0.119, 50},
+                                                     {0.148, 0.078, 30},
+                                                     {0.166, 0.027, 10},
+                                                     {0.166, -0.027, -10},
+                                                     {0.148, -0.078, -30},
+                                                     {0.114, -0.119, -50},
+                                                     {0.069, -0.136, -90},
+                                                     {-0.157, -0.136, -90},
+                                                     {-0.203, -0.119, -130},
+                                                     {-0.237, -0.078, -150},
+                                                     {-0.255, -0.027, -170},
+                                                     {-0.255, 0.027, 170},
+                                                     {-0.237, 0.078, 150},
+                                                     {-0.203, 0.119, 130},
+                                                     {-0.157, 0.136, 90}}};
+constexpr double kOutermostFrontSonar = 50.0 * std::numbers::pi / 180.0;
+
+struct Axis {
+  Point p_B;
+  Point along;
+};
+std::array<Axis, kSonarCount> make_axes() {
+  std::array<Axis, kSonarCount> axes;
+  for (std::size_t i = 0; i < kSonarCount; ++i) {
+    axes[i] = {{kMounts[i].x_m, kMounts[i].y_m},
+               direction(kMounts[i].heading_deg * std::numbers::pi / 180.0)};
+  }
+  return axes;
+}
+const std::array<Axis, kSonarCount>& axes() {
+  static const std::array<Axis, kSonarCount> all = make_axes();
+  return all;
+}
+
+/// Smallest distance along the strip's line at which the segment from `a` to `b` lies inside the strip.
+/// Coordinates are (along the line, across it).
+double enters_strip_m(const Point& a, const Point& b, double half_width_m) {
+  double first = 0.0;
+  double last = 1.0;
+  const double across = b.y() - a.y();
+  if (std::abs(across) < 1e-12) {
+    if (std::abs(a.y()) > half_width_m) return kInfinity;
+  } else {
+    const double one = (-half_width_m - a.y()) / across;
+    const double other = (half_width_m - a.y()) / across;
+    first = std::max(first, std::min(one, other));
+    last = std::min(last, std::max(one, other));
+    if (first > last) return kInfinity;
+  }
+  const double from = a.x() + first * (b.x() - a.x());
+  const double to = a.x() + last * (b.x() - a.x());
+  if (std::max(from, to) <= 0.0) return kInfinity;  // beside or behind
+  return std::max(0.0, std::min(from, to));
+}
+
+}  // namespace
+
+Surroundings::Surroundings(const Sensors& sensors, const Config& config)
+    : fan_rad_{kOutermostFrontSonar + 0.5 * config.sonar_aperture_rad} {
+  for (std::size_t i = 0; i < kSonarCount; ++i) {
+    const double range = sensors.sonar_range_m[i];
+    if (i < 8 && !std::isnan(range)) blind_ = false;
+    if (!(range >= 0.0 && range < config.sonar_range_m)) continue;
+    const Axis& axis = axes()[i];
+    echoes_[count_++] = {axis.p_B + range * axis.along, {-axis.along.y(), axis.along.x()}, range};
+  }
+}
+
+double Surroundings::clearance_m(const Corridor& corridor) const {
+  const Point along = direction(corridor.bearing_rad);
+  double nearest = kInfinity;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Echo& echo = echoes_[i];
+    const Point reach = (corridor.surface_m + corridor.surface_per_metre * echo.range_m) * echo.across_B;
+    const Point left = echo.p_B + reach;
+    const Point right = echo.p_B - reach;
+    nearest =
+        std::min(nearest, enters_strip_m({along.dot(left), cross(along, left)},
+                                         {along.dot(right), cross(along, right)}, corridor.half_width_m));
+  }
+  return nearest;
+}
+
+bool Surroundings::in_front_fan(double bearing_rad) const {
+  return std::abs(wrapped(bearing_rad)) <= fan_rad_;
+}
+
+}  // namespace caravan::agent

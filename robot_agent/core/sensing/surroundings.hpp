@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "robot_agent/core/config.hpp"
+#include "robot_agent/core/types.hpp"
+
+namespace caravan::agent {
+
+/// A strip from the robot's base along a bearing that the robot would like to drive.
+struct Corridor {
+  double bearing_rad = 0.0;    ///< in frame B: 0 ahead, positive to the left
+  double half_width_m = 0.25;  ///< on either side of the line
+  /// How far beyond the echo's point a surface is taken to reach on either side, across the sonar's axis: the
+  /// sonar says how far, not where in its cone, and a wall goes on beside the spot that reflects.
+  double surface_m = 0.0;
+  double surface_per_metre = 0.2;  ///< the same, growing with the range
+};
+
+/// What the sonars say about free space around the robot.
+///
+/// An echo is a surface across its sonar's axis. No echo is taken for free space, as far as the sonar sees:
+/// surfaces at more than the reflection angle and corners return none, so free space here is a belief.
+class Surroundings {
+ public:
+  Surroundings(const Sensors& sensors, const Config& config);
+
+  /// Distance from the base along the corridor's line to the first surface inside the corridor; +inf: none.
+  [[nodiscard]] double clearance_m(const Corridor& corridor) const;
+  /// True when the bearing lies in the gapless fan of the six front sonars.
+  [[nodiscard]] bool in_front_fan(double bearing_rad) const;
+  /// True when no front sonar works: the robot cannot drive.
+  [[nodiscard]] bool is_blind() const { return blind_; }
+
+ private:
+  struct Echo {
+    Point p_B;       // on the sonar's axis
+    Point across_B;  // unit vector across the axis
+    double range_m;
+  };
+  std::array<Echo, kSonarCount> echoes_;
+  std::size_t count_ = 0;
+  bool blind_ = true;
+  double fan_rad_;
+};
+
+}  // namespace caravan::agent

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/task/arrival.hpp"
+
+#include "robot_agent/core/navigation/steering.hpp"
+
+namespace caravan::agent {
+namespace {
+
+constexpr double kCrowded_m = 2.5;
+
+}  // namespace
+
+bool has_arrived(const Perception& seen, const Point& at, const Config& config) {
+  const double distance = seen.distance_to(at);
+  if (distance < config.arrival_radius_m) return true;
+  if (distance >= config.service_radius_m || !seen.robot_near) return false;
+  return free_ahead_m(seen, config, seen.bearing_to(at)) < kCrowded_m;
+}
+
+}  // namespace caravan::agent

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/task/carrier.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "robot_agent/core/navigation/exploration.hpp"
+#include "robot_agent/core/task/arrival.hpp"
+
+namespace caravan::agent {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kSmoothsEvery_m = 0.25;
+constexpr double kOnPath_m = 0.6;  // a shortcut begins on the path
+// A shortcut on a shortcut must be worth more: each one puts off the moment when all are driven.
+constexpr double kNestedGain_m = 0.4;
+constexpr double kProgress_m = 0.5;
+constexpr Time kWithoutProgress = 12s;
+constexpr Time kLongestStep = 200ms;  // longer pauses were exchanges
+constexpr double kFirstWander_m = 2.5;
+constexpr Time kWanderPatience = 20s;
+constexpr Time kWanderAgain = 60s;
+constexpr double kReached_m = 0.3;
+
+}  // namespace
+
+Carrier::Carrier(const Config& config, Path path, const Point& p_WB)
+    : config_{config},
+      route_{std::move(path), false, p_WB},
+      last_smoothed_at_{p_WB},
+      best_remaining_m_{std::numeric_limits<double>::infinity()},
+      last_wander_{-kWanderAgain} {}
+
+void Carrier::sense(const Perception& seen, Notes& notes) {
+  switch (gripper_.sense(seen.holding, seen.now)) {
+    case Gripper::Change::kNone:
+      break;
+    case Gripper::Change::kPickedUp:
+      ++trips_;
+      notes.add("picked_up", "trip=" + std::to_string(trips_));
+      break;
+    case Gripper::Change::kNothingThere:
+      notes.add("nothing_picked_up");
+      break;
+    case Gripper::Change::kDelivered:
+      notes.add("delivered", "trip=" + std::to_string(trips_));
+      break;
+    case Gripper::Change::kNotDelivered:
+      notes.add("not_delivered");
+      break;
+  }
+}
+
+void Carrier::adopt(Path path, const Point& p_WB) {
+  route_.replace(std::move(path), p_WB);
+  expect_progress();
+}
+
+Motion Carrier::step(const Perception& seen, Driver& driver, pure::Random& random, Notes& notes) {
+  refusals_.forget(seen.now);
+  if (has_arrived(seen, route_.end(), config_)) arrive(seen, notes);
+  if (auto* wandering = std::get_if<Wandering>(&state_)) {
+    const bool over =
+        seen.distance_to(wandering->began_at) >= wandering->enough_m || seen.now >= wandering->give_up;
+    if (!over || !driver.is_steering()) return wander(*wandering, seen, driver, random);
+    state_ = Following{};
+    route_.rejoin(seen.p_WB);
+    expect_progress();
+    notes.add("unstuck");
+  }
+  if (!makes_progress(seen)) {
+    wanders_ = seen.now - last_wander_ < kWanderAgain ? std::min(wanders_ + 1, 3) : 0;
+    last_wander_ = seen.now;
+    state_ = Wandering{seen.p_WB, kFirstWander_m * std::exp2(wanders_), seen.now + kWanderPatience, {}};
+    notes.add("stuck");
+    return wander(std::get<Wandering>(state_), seen, driver, random);
+  }
+  return follow(seen, driver, random, notes);
+}
+
+void Carrier::arrive(const Perception& seen, Notes& notes) {
+  if (route_.towards_destination()) {
+    gripper_.arrive_at_destination(seen.now);
+  } else {
+    gripper_.arrive_at_source(seen.now);
+  }
+  const Path before = route_.driven();
+  route_.turn_round(seen.p_WB);
+  notes.path_changed = notes.path_changed || before != route_.driven();
+  state_ = Following{};
+  expect_progress();
+}
+
+Motion Carrier::follow(const Perception& seen, Driver& driver, pure::Random& random, Notes& notes) {
+  const double before = length_m(route_.driven());
+  if (route_.advance(seen.p_WB)) {
+    notes.path_changed = true;
+    notes.add("path_shortened",
+              in_detail("from_m", before) + " " + in_detail("to_m", length_m(route_.driven())));
+  }
+  if (driver.is_steering()) smooth(seen);
+  const Motion motion = driver.drive_to(route_.goal(seen.p_WB), seen, random);
+  react(motion.obstruction, seen, driver, random, notes);
+  return motion;
+}
+
+void Carrier::smooth(const Perception& seen) {
+  if (seen.distance_to(last_smoothed_at_) < kSmoothsEvery_m || route_.is_rejoining()) return;
+  last_smoothed_at_ = seen.p_WB;
+  if (route_.off_path_m(seen.p_WB) > kOnPath_m) return;
+  const double least =
+      route_.is_provisional() ? std::max(kNestedGain_m, config_.shortcut_gain_m) : config_.shortcut_gain_m;
+  const auto shortcut = find_shortcut(route_.ahead(), seen, config_, refusals_, least);
+  if (!shortcut) return;
+  route_.shorten(seen.p_WB, shortcut->candidate, config_.point_spacing_m);
+  expect_progress();
+}
+
+void Carrier::react(Obstruction obstruction, const Perception& seen, Driver& driver, pure::Random& random,
+                    Notes& notes) {
+  const bool stands =
+      obstruction == Obstruction::kObstacle || (obstruction == Obstruction::kTouch && !seen.robot_near);
+  if (!stands) return;
+  if (obstruction == Obstruction::kTouch) {
+    const Point front = seen.p_WB + config_.body_ahead_m * direction(seen.yaw_WB_rad);
+    refusals_.touched(front, seen.now + config_.shortcut_pause);
+  }
+  if (route_.is_provisional()) {
+    const Route::Ends blocked = route_.restore(seen.p_WB);
+    refusals_.refuse(blocked.from, blocked.to, seen.now + config_.shortcut_pause);
+    notes.add("shortcut_restored");
+    expect_progress();
+  } else if (obstruction == Obstruction::kObstacle) {
+    driver.go_round_towards(route_.goal(seen.p_WB), seen, random);
+  }
+}
+
+Motion Carrier::wander(Wandering& state, const Perception& seen, Driver& driver, pure::Random& random) {
+  const bool wants_another = !state.location || seen.distance_to(*state.location) < kReached_m;
+  if (wants_another && driver.is_steering()) state.location = new_location_to_explore(seen, config_, random);
+  Motion motion = driver.drive_to(state.location.value_or(seen.p_WB), seen, random);
+  if (motion.obstruction != Obstruction::kNone) state.location.reset();
+  motion.activity = Activity::kAvoiding;
+  return motion;
+}
+
+bool Carrier::makes_progress(const Perception& seen) {
+  const double remaining = route_.remaining_m(seen.p_WB);
+  if (remaining < best_remaining_m_ - kProgress_m) {
+    best_remaining_m_ = remaining;
+    without_progress_ = Time{0};
+  } else {
+    without_progress_ += std::min(seen.now - last_step_, kLongestStep);
+  }
+  last_step_ = seen.now;
+  return without_progress_ < kWithoutProgress;
+}
+
+void Carrier::expect_progress() {
+  best_remaining_m_ = std::numeric_limits<double>::infinity();
+  without_progress_ = Time{0};
+}
+
+}  // namespace caravan::agent

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/task/explorer.hpp"
+
+#include "robot_agent/core/navigation/exploration.hpp"
+#include "robot_agent/core/navigation/sees_destination.hpp"
+#include "robot_agent/core/task/arrival.hpp"
+
+namespace caravan::agent {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kReached_m = 0.3;
+constexpr Time kLocationPatience = 6s;
+constexpr Time kOutOfSight = 1s;
+constexpr Time kLooksAway = 8s;  // after the destination proved out of reach from here
+
+}  // namespace
+
+Explorer::Explorer(const Config& config)
+    : config_{config}, record_{config.source, config.point_spacing_m}, state_{Searching{}} {}
+
+Motion Explorer::step(const Perception& seen, Driver& driver, pure::Random& random) {
+  record_.visit(seen.p_WB, seen.yaw_WB_rad);
+  if (std::holds_alternative<Searching>(state_) && seen.now >= looks_again_) {
+    if (const auto destination = sees_destination(seen, config_)) {
+      state_ = Approaching{*destination, seen.now};
+    }
+  }
+  if (auto* approaching = std::get_if<Approaching>(&state_)) {
+    return approach(*approaching, seen, driver, random);
+  }
+  return search(std::get<Searching>(state_), seen, driver, random);
+}
+
+Motion Explorer::search(Searching& state, const Perception& seen, Driver& driver, pure::Random& random) {
+  const bool wants_another =
+      !state.location || seen.distance_to(*state.location) < kReached_m || seen.now >= state.give_up;
+  if (wants_another && driver.is_steering()) {
+    state = {new_location_to_explore(seen, config_, random), seen.now + kLocationPatience};
+  }
+  const Motion motion = driver.drive_to(state.location.value_or(seen.p_WB), seen, random);
+  if (motion.obstruction != Obstruction::kNone) state.location.reset();
+  return motion;
+}
+
+Motion Explorer::approach(Approaching& state, const Perception& seen, Driver& driver, pure::Random& random) {
+  const Point destination = state.destination;
+  if (has_arrived(seen, destination, config_)) {
+    found_ = record_.finished_at(seen.p_WB, destination);
+    return driver.stand(Activity::kDriving);
+  }
+  if (seen.robot_near || sees_destination(seen, config_)) state.last_seen = seen.now;
+  const Motion motion = driver.drive_to(destination, seen, random);
+  const bool blocked =
+      motion.obstruction == Obstruction::kObstacle || motion.obstruction == Obstruction::kTouch;
+  if (blocked || seen.now - state.last_seen > kOutOfSight) look_away(seen.now);
+  return motion;
+}
+
+void Explorer::look_away(Time now) {
+  state_ = Searching{};
+  looks_again_ = now + kLooksAway;
+}
+
+}  // namespace caravan::agent

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "robot_agent/core/navigation/driver.hpp"
+#include "robot_agent/core/path/recording.hpp"
+#include "robot_agent/core/task/notes.hpp"
+
+namespace caravan::agent {
+
+/// A robot without a path: Algorithm 1, lines 3 to 10. It explores, records where it went and looks out for
+/// the destination.
+///
+///   state       | destination seen | obstacle, touch      | location reached | destination reached
+///   ------------+------------------+----------------------+------------------+--------------------
+///   Searching   | Approaching      | new location         | new location     | -
+///   Approaching | -                | Searching for a time | -                | found
+///
+/// Approaching also ends when the destination has been out of sight for a while.
+class Explorer {
+ public:
+  explicit Explorer(const Config& config);
+
+  [[nodiscard]] Motion step(const Perception& seen, Driver& driver, pure::Random& random);
+  /// The path from the source to the destination, once it has arrived there.
+  [[nodiscard]] const std::optional<Path>& found() const { return found_; }
+
+ private:
+  struct Searching {
+    std::optional<Point> location;
+    Time give_up{0};
+  };
+  struct Approaching {
+    Point destination;
+    Time last_seen;
+  };
+  [[nodiscard]] Motion search(Searching& state, const Perception& seen, Driver& driver, pure::Random& random);
+  [[nodiscard]] Motion approach(Approaching& state, const Perception& seen, Driver& driver,
+                                pure::Random& random);
+  void look_away(Time now);
+
+  Config config_;
+  Recording record_;
+  std::variant<Searching, Approaching> state_;
+  Time looks_again_{0};
+  std::optional<Path> found_;
+};
+
+}  // namespace caravan::agent

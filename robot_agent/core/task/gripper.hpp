@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <variant>
+
+#include "robot_agent/core/types.hpp"
+
+namespace caravan::agent {
+
+/// The gripper's part in a trip: closes at the source, opens at the destination, and believes only what
+/// `holding` says.
+///
+///   state    | at the source | at the destination | holding            | not holding
+///   ---------+---------------+--------------------+--------------------+----------------------------
+///   Empty    | Closing       | -                  | Carrying           | -
+///   Closing  | -             | Empty              | Carrying, kPicked  | Empty, kNothing past deadline
+///   Carrying | -             | Opening            | -                  | Empty
+///   Opening  | -             | -                  | Carrying past deadline | Empty, kDelivered
+class Gripper {
+ public:
+  enum class Change : std::uint8_t { kNone, kPickedUp, kNothingThere, kDelivered, kNotDelivered };
+
+  void arrive_at_source(Time now);
+  void arrive_at_destination(Time now);
+  /// What became of it, from the sensors of this step.
+  [[nodiscard]] Change sense(bool holding, Time now);
+  [[nodiscard]] bool closed() const;
+
+ private:
+  struct Empty {};
+  struct Closing {
+    Time give_up;
+  };
+  struct Carrying {};
+  struct Opening {
+    Time give_up;
+  };
+  std::variant<Empty, Closing, Carrying, Opening> state_;
+};
+
+}  // namespace caravan::agent
