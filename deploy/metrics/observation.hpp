@@ -28,7 +28,7 @@ enum class Origin : std::uint8_t { kNone, kFound, kReceived };
 
 struct TruePose {
   std::uint32_t robot = 0;
-  Place place;
+  Place place{};
   double yaw_rad = 0.0;
 };
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/cli/check_scenario.hpp"
+
+#include "deploy/cli/overrides.hpp"
+#include "radio_emulator/config/radio_config.hpp"
+#include "robot_agent/config/agent_config.hpp"
+#include "world_server/config/world_config.hpp"
+#include "world_server/world.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+std::string in_words(agent::Sharing sharing) {
+  switch (sharing) {
+    case agent::Sharing::kNone:
+      return "none";
+    case agent::Sharing::kPartial:
+      return "partial";
+    case agent::Sharing::kFull:
+      return "full";
+  }
+  return "";
+}
+
+}  // namespace
+
+RunFacts check_scenario(const runtime::TomlDocument& scenario) {
+  const world::WorldConfig world_config = world::load_world_config(scenario);
+  (void)radio::load_radio_config(scenario);
+  const agent::Config agent_config = agent::load_config(scenario, 1);
+  const world::World trial{world_config};
+  const std::chrono::duration<double> max_time{world_config.experiment.max_time_s};
+  return {.scenario = name_of(scenario),
+          .engine = {},
+          .mode = in_words(agent_config.sharing),
+          .seed = world_config.seed,
+          .robots = world_config.robots.count,
+          .items = world_config.experiment.items,
+          .max_time = std::chrono::duration_cast<Time>(max_time)};
+}
+
+}  // namespace caravan::deploy

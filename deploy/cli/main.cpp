@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+#include <filesystem>
+
+#include "deploy/cli/check_scenario.hpp"
+#include "deploy/cli/command_line.hpp"
+#include "deploy/embedded/run_embedded.hpp"
+#include "deploy/launcher/run_dds.hpp"
+#include "deploy/metrics/run_directory.hpp"
+#include "runtime/config/start_error.hpp"
+#include "runtime/process/run_process.hpp"
+
+namespace {
+
+using namespace caravan;
+
+int check(const deploy::CheckCommand& command) {
+  (void)deploy::check_scenario(runtime::TomlDocument::load(command.scenario));
+  std::printf("%s: good\n", command.scenario.c_str());
+  return runtime::kDone;
+}
+
+int run(const deploy::RunCommand& command) {
+  runtime::Loop loop;
+  const auto original = runtime::TomlDocument::load(command.scenario);
+  (void)deploy::check_scenario(original);  // first, because only the original knows the lines
+  const std::string text = deploy::effective_text(original, command.overrides);
+  const auto effective =
+      runtime::TomlDocument::parse(text, command.scenario.string() + " with the command line's changes");
+  deploy::RunFacts facts = deploy::check_scenario(effective);
+  facts.engine = command.embedded ? "embedded" : "dds";
+  const auto folder = std::filesystem::absolute(deploy::make_run_directory(command.out, facts));
+  deploy::write_whole_file(folder / "scenario.toml", text);
+  const deploy::RunRequest request{.facts = facts,
+                                   .scenario = effective,
+                                   .folder = folder,
+                                   .scenario_file = folder / "scenario.toml",
+                                   .domain = command.domain,
+                                   .quiet = command.quiet,
+                                   .loop = loop};
+  return command.embedded ? deploy::run_embedded(request) : deploy::run_dds(request);
+}
+
+int obey(const deploy::Exit& exit) { return exit.code; }
+int obey(const deploy::CheckCommand& command) { return check(command); }
+int obey(const deploy::RunCommand& command) { return run(command); }
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return std::visit([](const auto& command) { return obey(command); },
+                      deploy::read_command_line(argc, argv));
+  } catch (const runtime::StartError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return runtime::kCouldNotStart;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "caravan: ended by an unexpected error: %s\n", error.what());
+    return runtime::kFailed;
+  }
+}

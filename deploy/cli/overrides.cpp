@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/cli/overrides.hpp"
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <sstream>
+
+namespace caravan::deploy {
+namespace {
+
+template <typename Value>
+void set(toml::table& tree, std::string_view table, std::string_view key, const Value& value) {
+  if (!tree.contains(table)) tree.insert(table, toml::table{});
+  tree.get_as<toml::table>(table)->insert_or_assign(key, value);
+}
+
+}  // namespace
+
+std::string name_of(const runtime::TomlDocument& scenario) {
+  std::string name;
+  scenario.root().read("name", name);
+  return name.empty() ? std::filesystem::path{scenario.file()}.stem().string() : name;
+}
+
+std::string effective_text(const runtime::TomlDocument& scenario, const Overrides& overrides) {
+  toml::table tree = scenario.tree();
+  tree.insert_or_assign("name", name_of(scenario));
+  if (overrides.seed) tree.insert_or_assign("seed", static_cast<std::int64_t>(*overrides.seed));
+  if (overrides.mode) set(tree, "algorithm", "mode", *overrides.mode);
+  if (overrides.robots) set(tree, "robots", "count", static_cast<std::int64_t>(*overrides.robots));
+  if (overrides.items) set(tree, "experiment", "items", static_cast<std::int64_t>(*overrides.items));
+  if (overrides.max_time_s) set(tree, "experiment", "max_time_s", *overrides.max_time_s);
+  if (overrides.pacing) set(tree, "experiment", "pacing", *overrides.pacing);
+  std::ostringstream text;
+  text << tree << "\n";
+  return text.str();
+}
+
+}  // namespace caravan::deploy

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "runtime/config/toml_table.hpp"
+
+namespace caravan::deploy {
+
+/// What the command line changes in a scenario.
+struct Overrides {
+  std::optional<std::string> mode;      ///< algorithm.mode
+  std::optional<std::uint64_t> seed;    ///< seed; at most 2^63 - 1, as TOML has it
+  std::optional<std::uint32_t> robots;  ///< robots.count
+  std::optional<std::uint32_t> items;   ///< experiment.items
+  std::optional<double> max_time_s;     ///< experiment.max_time_s
+  std::optional<std::string> pacing;    ///< experiment.pacing
+};
+
+/// The name of a scenario: its key `name`, without it its file's name without the extension.
+[[nodiscard]] std::string name_of(const runtime::TomlDocument& scenario);
+
+/// The text of the scenario with the changes, and its name, in it. Read again it gives the same values, to
+/// the last bit.
+[[nodiscard]] std::string effective_text(const runtime::TomlDocument& scenario, const Overrides& overrides);
+
+}  // namespace caravan::deploy

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "deploy/metrics/observation.hpp"
+#include "radio_emulator/medium/medium.hpp"
+#include "robot_agent/core/types.hpp"
+#include "world_server/types.hpp"
+
+/// From one core's values to the other's: what the topics do between processes. Byte strings are moved.
+namespace caravan::deploy {
+
+[[nodiscard]] agent::Sensors to_sensors(const world::Senses& senses);
+[[nodiscard]] world::Command to_command(const agent::Outputs& outputs);
+/// Takes the frames out of `outputs`.
+[[nodiscard]] radio::Transmission to_transmission(std::uint32_t robot, agent::Outputs& outputs);
+/// Takes the frames out of `reception`.
+[[nodiscard]] std::vector<agent::Frame> to_heard(radio::Reception& reception);
+[[nodiscard]] AgentReport to_report(std::uint32_t robot, const agent::Report& report);
+
+}  // namespace caravan::deploy

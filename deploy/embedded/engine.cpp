@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/embedded/engine.hpp"
+
+#include <utility>
+
+#include "deploy/embedded/convert.hpp"
+#include "deploy/embedded/stopwatch.hpp"
+#include "radio_emulator/config/radio_config.hpp"
+#include "radio_emulator/medium/chain.hpp"
+#include "robot_agent/config/agent_config.hpp"
+#include "runtime/pure/assert.hpp"
+#include "runtime/pure/digest.hpp"
+
+namespace caravan::deploy {
+
+Engine::Engine(const runtime::TomlDocument& scenario)
+    : world_{world::load_world_config(scenario)}, medium_{radio::load_radio_config(scenario)} {
+  const std::uint32_t robots = runtime::read_robots(scenario).count;
+  for (std::uint32_t robot = 1; robot <= robots; ++robot) {
+    agents_.emplace_back(agent::load_config(scenario, robot));
+    observation_.members.push_back(robot);
+    observation_.poses.push_back({.robot = robot});
+    stations_.push_back({.robot = robot});
+  }
+  inputs_.resize(robots);
+  commands_.resize(robots);
+  transmissions_.resize(robots);
+}
+
+const Observation& Engine::step() {
+  CARAVAN_ASSERT(!finished());
+  Stopwatch watch;
+  look();
+  sense();
+  time_split_.sensors_s += watch.lap_s();
+  answer();
+  time_split_.agents_s += watch.lap_s();
+  deliver();
+  time_split_.radio_s += watch.lap_s();
+  world_.advance(commands_);
+  time_split_.physics_s += watch.lap_s();
+  return observation_;
+}
+
+const Observation& Engine::last() {
+  look();
+  return observation_;
+}
+
+void Engine::look() {
+  observation_.stamp = world_.now();
+  const auto poses = world_.poses();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    observation_.poses[i].place = {poses[i].x_m, poses[i].y_m};
+    observation_.poses[i].yaw_rad = poses[i].yaw_rad;
+    stations_[i].x_m = poses[i].x_m;
+    stations_[i].y_m = poses[i].y_m;
+  }
+  observation_.contacts.clear();
+  for (const world::ContactEpisode& contact : world_.contacts()) {
+    observation_.contacts.push_back({.robot = contact.robot, .other = contact.other});
+  }
+  observation_.item_events.clear();
+  for (const world::ItemEvent& event : world_.item_events()) {
+    const bool pick_up = event.kind == world::ItemEvent::Kind::kPickUp;
+    observation_.item_events.push_back(
+        {.kind = pick_up ? ItemEvent::Kind::kPickUp : ItemEvent::Kind::kDelivery, .robot = event.robot});
+  }
+  observation_.items_delivered = world_.items_delivered();
+  observation_.agent_reports.clear();
+}
+
+void Engine::sense() {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    inputs_[i].now = world_.now();
+    inputs_[i].sensors = to_sensors(world_.sense(static_cast<std::uint32_t>(i + 1)));
+  }
+}
+
+void Engine::answer() {
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const auto robot = static_cast<std::uint32_t>(i + 1);
+    agent::Outputs outputs = agents_[i].step(inputs_[i]);
+    inputs_[i].heard.clear();
+    commands_[i] = to_command(outputs);
+    transmissions_[i] = to_transmission(robot, outputs);
+    if (outputs.reports) observation_.agent_reports.push_back(to_report(robot, outputs.report));
+  }
+}
+
+void Engine::deliver() {
+  auto receptions = radio::deliver(medium_, world_.step(), stations_, transmissions_, drops_);
+  radio::chain_step(radio_chain_, world_.now().count(), transmissions_, receptions);
+  for (radio::Reception& reception : receptions) inputs_[reception.robot - 1].heard = to_heard(reception);
+}
+
+std::string Engine::digest() const { return pure::digest(world_.chain(), radio_chain_.value()); }
+
+}  // namespace caravan::deploy

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "deploy/metrics/observation.hpp"
+#include "deploy/metrics/run_facts.hpp"
+#include "radio_emulator/medium/medium.hpp"
+#include "robot_agent/core/agent.hpp"
+#include "runtime/config/toml_table.hpp"
+#include "runtime/pure/hash_chain.hpp"
+#include "world_server/world.hpp"
+
+namespace caravan::deploy {
+
+/// World, air and agents of one scenario in one process, stepped together exactly as the processes are in
+/// lockstep: everybody senses, every agent answers, the frames are delivered with the poses of the same
+/// stamp, the world moves on.
+class Engine {
+ public:
+  /// @throws runtime::StartError
+  explicit Engine(const runtime::TomlDocument& scenario);
+
+  /// One step of everybody. @pre !finished()
+  /// @return what an observer sees of it, valid until the next call
+  const Observation& step();
+  /// What the last step led to: the observation that ends a run, without reports.
+  const Observation& last();
+
+  /// The run is decided: items delivered, or time over.
+  [[nodiscard]] bool finished() const { return world_.finished(); }
+  [[nodiscard]] Time now() const { return world_.now(); }
+  [[nodiscard]] std::string digest() const;
+  [[nodiscard]] const TimeSplit& time_split() const { return time_split_; }
+  [[nodiscard]] const radio::Drops& drops() const { return drops_; }
+
+ private:
+  void sense();
+  void answer();
+  void deliver();
+  void look();
+
+  world::World world_;
+  radio::MediumConfig medium_;
+  std::vector<agent::Agent> agents_;  // [0] is robot 1, as in all that follow
+  std::vector<agent::Inputs> inputs_;
+  std::vector<std::optional<world::Command>> commands_;
+  std::vector<radio::Station> stations_;
+  std::vector<radio::Transmission> transmissions_;
+  pure::HashChain radio_chain_;
+  radio::Drops drops_;
+  TimeSplit time_split_;
+  Observation observation_;
+};
+
+}  // namespace caravan::deploy

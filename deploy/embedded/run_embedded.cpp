@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/embedded/run_embedded.hpp"
+
+#include <cstdio>
+
+#include "deploy/embedded/engine.hpp"
+#include "deploy/embedded/stopwatch.hpp"
+#include "deploy/metrics/run_record.hpp"
+#include "runtime/scenario/shared_tables.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Paces a run and notices the wish to stop.
+class Pace {
+ public:
+  Pace(runtime::Loop& loop, bool at_the_clock) : loop_{loop}, at_the_clock_{at_the_clock} {}
+
+  /// Waits until the step at `stamp` is due. @return false when the run is to stop
+  [[nodiscard]] bool wait_for(Time stamp) {
+    if (at_the_clock_) return loop_.wait(began_ + stamp) != runtime::Loop::Woken::kStop;
+    const Clock::time_point now = Clock::now();
+    if (now - asked_ < std::chrono::milliseconds{20}) return true;
+    asked_ = now;
+    return loop_.wait(now) != runtime::Loop::Woken::kStop;
+  }
+  [[nodiscard]] double wall_time_s() const {
+    return std::chrono::duration<double>(Clock::now() - began_).count();
+  }
+
+ private:
+  runtime::Loop& loop_;
+  bool at_the_clock_;
+  Clock::time_point began_ = Clock::now();
+  Clock::time_point asked_{};
+};
+
+}  // namespace
+
+int run_embedded(const RunRequest& request) {
+  Engine engine{request.scenario};
+  RunRecord record{request.facts, request.folder, request.quiet ? nullptr : stdout};
+  Pace pace{request.loop, runtime::read_experiment(request.scenario).pacing != runtime::Pacing::kFast};
+  const auto so_far = [&] {
+    RunEnd end;
+    end.digest = engine.digest();
+    end.time_split = engine.time_split();
+    end.wall_time_s = pace.wall_time_s();
+    return end;
+  };
+  bool stopped = false;
+  while (!engine.finished() && !stopped) {
+    record.observe(engine.step());
+    record.keep_up(so_far);
+    stopped = !pace.wait_for(engine.now());
+  }
+  record.observe(engine.last());
+  RunEnd end = so_far();
+  end.interrupted = stopped;
+  return record.close(end);
+}
+
+}  // namespace caravan::deploy

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "deploy/experiment/run_request.hpp"
+
+namespace caravan::deploy {
+
+/// Runs the experiment with all cores in this process, as fast as it goes (or at the clock when its pacing is
+/// realtime or free: here the two are the same), and stays until it is over.
+///
+/// @return the exit code of `caravan run`
+/// @throws runtime::StartError
+[[nodiscard]] int run_embedded(const RunRequest& request);
+
+}  // namespace caravan::deploy

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+
+namespace caravan::deploy {
+
+/// Wall time from lap to lap.
+class Stopwatch {
+ public:
+  /// Seconds since the last lap, at first since the construction.
+  double lap_s() {
+    const Clock::time_point now = Clock::now();
+    const std::chrono::duration<double> lap = now - last_;
+    last_ = now;
+    return lap.count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
+
+}  // namespace caravan::deploy

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "deploy/metrics/run_facts.hpp"
+#include "runtime/config/toml_table.hpp"
+#include "runtime/process/loop.hpp"
+
+namespace caravan::deploy {
+
+/// One run as the command line asked for it, checked: what either engine is given.
+struct RunRequest {
+  RunFacts facts;
+  runtime::TomlDocument scenario;       ///< effective: the file with the command line's changes
+  std::filesystem::path folder;         ///< exists, this run's own, absolute
+  std::filesystem::path scenario_file;  ///< the effective scenario in it, for other processes to read
+  std::optional<std::uint32_t> domain;  ///< DDS domain asked for; none: a free one
+  bool quiet = false;
+  runtime::Loop& loop;  ///< says when SIGINT or SIGTERM came
+};
+
+}  // namespace caravan::deploy

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/cli/command_line.hpp"
+
+#include <gmock/gmock.h>
+
+namespace caravan::deploy {
+namespace {
+
+using testing::internal::CaptureStderr;
+using testing::internal::CaptureStdout;
+using testing::internal::GetCapturedStderr;
+using testing::internal::GetCapturedStdout;
+
+std::variant<CheckCommand, RunCommand, Exit> read(std::vector<const char*> words) {
+  words.insert(words.begin(), "caravan");
+  return read_command_line(static_cast<int>(words.size()), words.data());
+}
+
+/// The one line that a wrong command line is answered with.
+std::string complaint(const std::vector<const char*>& words) {
+  CaptureStderr();
+  const auto command = read(words);
+  const std::string said = GetCapturedStderr();
+  const Exit* exit = std::get_if<Exit>(&command);
+  EXPECT_TRUE(exit != nullptr && exit->code == 2);
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+  return said;
+}
+
+TEST(CommandLine, ARunWithoutOptionsChangesNothingAndUsesDds) {
+  const auto command = read({"run", "small.toml"});
+
+  const auto& run = std::get<RunCommand>(command);
+  EXPECT_EQ(run.scenario, "small.toml");
+  EXPECT_FALSE(run.embedded);
+  EXPECT_FALSE(run.quiet);
+  EXPECT_EQ(run.overrides.mode, std::nullopt);
+  EXPECT_EQ(run.overrides.seed, std::nullopt);
+  EXPECT_EQ(run.domain, std::nullopt);
+  EXPECT_EQ(run.out, std::nullopt);
+}
+
+TEST(CommandLine, TakesEveryOptionOfARun) {
+  const auto command =
+      read({"run",      "paper.toml", "--engine", "embedded", "--mode", "partial",    "--seed",
+            "9",        "--robots",   "5",        "--items",  "0",      "--max-time", "90.5",
+            "--pacing", "realtime",   "--domain", "12",       "--out",  "/tmp/x",     "--quiet"});
+
+  const auto& run = std::get<RunCommand>(command);
+  EXPECT_TRUE(run.embedded);
+  EXPECT_EQ(run.overrides.mode, "partial");
+  EXPECT_EQ(run.overrides.seed, 9U);
+  EXPECT_EQ(run.overrides.robots, 5U);
+  EXPECT_EQ(run.overrides.items, 0U);
+  EXPECT_EQ(run.overrides.max_time_s, 90.5);
+  EXPECT_EQ(run.overrides.pacing, "realtime");
+  EXPECT_EQ(run.domain, 12U);
+  EXPECT_EQ(run.out, "/tmp/x");
+  EXPECT_TRUE(run.quiet);
+}
+
+TEST(CommandLine, ChecksWithoutRunning) {
+  const auto command = read({"check", "small.toml"});
+  EXPECT_EQ(std::get<CheckCommand>(command).scenario, "small.toml");
+}
+
+TEST(CommandLine, AnswersMistakesWithOneLineThatNamesThem) {
+  EXPECT_THAT(complaint({}), testing::HasSubstr("subcommand"));
+  EXPECT_THAT(complaint({"run"}), testing::HasSubstr("scenario"));
+  EXPECT_THAT(complaint({"run", "a.toml", "--mode", "loud"}), testing::HasSubstr("--mode"));
+  EXPECT_THAT(complaint({"run", "a.toml", "--engine", "magic"}), testing::HasSubstr("--engine"));
+  EXPECT_THAT(complaint({"run", "a.toml", "--seed", "-1"}), testing::HasSubstr("--seed"));
+  EXPECT_THAT(complaint({"run", "a.toml", "--robots", "many"}), testing::HasSubstr("--robots"));
+  EXPECT_THAT(complaint({"run", "a.toml", "--domain", "233"}), testing::HasSubstr("--domain"));
+  EXPECT_THAT(complaint({"run", "a.toml", "--colour", "red"}), testing::HasSubstr("--colour"));
+}
+
+TEST(CommandLine, ShowsTheVersionAndEndsWell) {
+  CaptureStdout();
+  const auto command = read({"--version"});
+
+  EXPECT_THAT(GetCapturedStdout(), testing::MatchesRegex("caravan [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_EQ(std::get<Exit>(command).code, 0);
+}
+
+}  // namespace
+}  // namespace caravan::deploy

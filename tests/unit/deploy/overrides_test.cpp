@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/cli/overrides.hpp"
+
+#include <gmock/gmock.h>
+
+#include "runtime/scenario/shared_tables.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+using runtime::TomlDocument;
+
+TomlDocument applied(const std::string& text, const Overrides& overrides) {
+  return TomlDocument::parse(effective_text(TomlDocument::parse(text, "course.toml"), overrides),
+                             "effective");
+}
+
+TEST(Overrides, ReplaceTheKeysThatTheyStandFor) {
+  Overrides overrides;
+  overrides.mode = "none";
+  overrides.seed = 9223372036854775807ULL;
+  overrides.robots = 3;
+  overrides.items = 0;
+  overrides.max_time_s = 90.0;
+  overrides.pacing = "realtime";
+
+  const TomlDocument scenario =
+      applied("seed = 4\n[robots]\ncount = 15\n[algorithm]\nmode = \"full\"\n", overrides);
+
+  EXPECT_EQ(runtime::read_seed(scenario), 9223372036854775807ULL);
+  EXPECT_EQ(runtime::read_robots(scenario).count, 3U);
+  const runtime::ExperimentTable experiment = runtime::read_experiment(scenario);
+  EXPECT_EQ(experiment.items, 0U);
+  EXPECT_EQ(experiment.max_time_s, 90.0);
+  EXPECT_EQ(experiment.pacing, runtime::Pacing::kRealtime);
+  std::string mode;
+  scenario.table("algorithm").read("mode", mode);
+  EXPECT_EQ(mode, "none");
+}
+
+TEST(Overrides, LeaveEverythingElseAsItIsToTheLastBit) {
+  const std::string text =
+      "[robots]\nsource_m = [0.1, 0.30000000000000004]\ngps_noise_m = 1e-300\n"
+      "[robots.sonar]\nreflection_rad = 0.39269908169872414\n";
+  Overrides overrides;
+  overrides.robots = 2;
+
+  const runtime::RobotsTable robots = runtime::read_robots(applied(text, overrides));
+
+  EXPECT_EQ(robots.source_m, (std::array<double, 2>{0.1, 0.30000000000000004}));
+  EXPECT_EQ(robots.gps_noise_m, 1e-300);
+  EXPECT_EQ(robots.sonar.reflection_rad, 0.39269908169872414);
+}
+
+TEST(Overrides, AreAppliedAgainToTheirOwnResultWithoutChange) {
+  Overrides overrides;
+  overrides.seed = 5;
+  const std::string once = effective_text(TomlDocument::parse("seed = 1", "course.toml"), overrides);
+
+  EXPECT_EQ(effective_text(TomlDocument::parse(once, "scenario.toml"), {}), once);
+}
+
+TEST(Overrides, AScenarioWithoutNameIsNamedAfterItsFile) {
+  EXPECT_EQ(name_of(TomlDocument::parse("", "some/where/course.toml")), "course");
+  EXPECT_EQ(name_of(TomlDocument::parse("name = \"loop\"", "some/where/course.toml")), "loop");
+  EXPECT_EQ(name_of(applied("", {})), "course");
+}
+
+}  // namespace
+}  // namespace caravan::deploy
