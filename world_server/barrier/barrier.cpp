@@ -18,7 +18,7 @@ std::vector<std::uint32_t> Barrier::missing() const {
 void Barrier::open(Wall now) {
   first_step_ = !started_;
   started_ = true;
-  opened_ = now;
+  patient_since_ = now;
   members_ = 0;
   awaited_ = 0;
   for (Robot& robot : robots_) {
@@ -49,7 +49,8 @@ Answer Barrier::answer(std::uint32_t robot) {
   return Answer::kRevives;
 }
 
-void Barrier::leave(Robot& robot) {
+void Barrier::leave(Robot& robot, Wall now) {
+  patient_since_ = now;
   robot.member = false;
   --members_;
   if (!robot.answered) --awaited_;
@@ -63,7 +64,7 @@ void Barrier::answer_radio() {
   radio_answered_ = true;
 }
 
-bool Barrier::lose(std::uint32_t robot) {
+bool Barrier::lose(std::uint32_t robot, Wall now) {
   CARAVAN_ASSERT(robot >= 1 && robot <= robots_.size());
   Robot& one = robots_[robot - 1];
   if (one.standing == Standing::kMissing || one.standing == Standing::kGone) return false;
@@ -74,7 +75,7 @@ bool Barrier::lose(std::uint32_t robot) {
   disturbed_ = true;
   one.standing = Standing::kGone;
   if (!one.member) return false;
-  leave(one);
+  leave(one, now);
   return true;
 }
 
@@ -87,10 +88,11 @@ bool Barrier::lose_radio() {
 
 bool Barrier::let_go(Wall now) {
   bool changed = let_go_of_radio(now);
-  if (!config_.waits_for_hung && now - opened_ >= config_.hung_after) {
+  const bool robots_are_late = now - patient_since_ >= config_.hung_after;
+  if (!config_.waits_for_hung && robots_are_late) {
     for (Robot& robot : robots_) {
       if (!robot.member || robot.answered) continue;
-      leave(robot);
+      leave(robot, now);
       robot.standing = Standing::kCoasting;
       changed = true;
     }
@@ -101,9 +103,9 @@ bool Barrier::let_go(Wall now) {
 
 bool Barrier::let_go_of_radio(Wall now) {
   const bool never_came =
-      first_step_ && radio_ == Radio::kMissing && now - opened_ >= config_.radio_start_patience;
+      first_step_ && radio_ == Radio::kMissing && now - patient_since_ >= config_.radio_start_patience;
   const bool coasts = !config_.waits_for_hung && commands_in() && radio_ == Radio::kJoined &&
-                      !radio_answered_ && now - opened_ >= config_.hung_after;
+                      !radio_answered_ && now - patient_since_ >= config_.hung_after;
   if (!never_came && !coasts) return false;
   radio_ = Radio::kGone;
   return true;
@@ -131,11 +133,11 @@ bool Barrier::radio_in() const {
 std::vector<std::uint32_t> Barrier::hung(Wall now) const {
   std::vector<std::uint32_t> ids;
   for (std::uint32_t i = 0; i < robots_.size(); ++i) {
-    const bool late = robots_[i].member && !robots_[i].answered && now - opened_ >= config_.hung_after;
+    const bool late = robots_[i].member && !robots_[i].answered && now - patient_since_ >= config_.hung_after;
     if (late || robots_[i].standing == Standing::kCoasting) ids.push_back(i + 1);
   }
   const bool radio_late = commands_in() && !radio_in();
-  if (radio_late && now - opened_ >= config_.hung_after) ids.push_back(0);
+  if (radio_late && now - patient_since_ >= config_.hung_after) ids.push_back(0);
   return ids;
 }
 

@@ -50,7 +50,7 @@ class Barrier {
   Answer answer(std::uint32_t robot);
   void answer_radio();
   /// @return true when a member left the step, so that the members changed
-  bool lose(std::uint32_t robot);
+  bool lose(std::uint32_t robot, Wall now);
   /// @return true when the radio was awaited
   bool lose_radio();
   /// Takes out who is late beyond patience: hung members where coasting is allowed, a radio that never came
@@ -78,7 +78,7 @@ class Barrier {
     bool answered = false;  // the open step
   };
 
-  void leave(Robot& robot);
+  void leave(Robot& robot, Wall now);
   bool let_go_of_radio(Wall now);
 
   BarrierConfig config_;
@@ -90,7 +90,7 @@ class Barrier {
   bool started_ = false;
   bool first_step_ = false;
   bool disturbed_ = false;
-  Wall opened_{};
+  Wall patient_since_{};  // the open step began, or its members changed: the radio has to start over
 };
 
 }  // namespace caravan::world

@@ -162,7 +162,7 @@ void WorldShell::forget(const Discovery& gone) {
     if (robot_owners_[robot - 1] != gone.participant) continue;
     spdlog::warn("robot lost robot={} pid={} host={}", robot, gone.identity.pid, gone.identity.host);
     robot_owners_[robot - 1].reset();
-    members_changed = barrier_.lose(robot) || members_changed;
+    members_changed = barrier_.lose(robot, std::chrono::steady_clock::now()) || members_changed;
     commands_[robot - 1].reset();
   }
   if (radio_owner_ == gone.participant) {
