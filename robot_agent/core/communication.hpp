@@ -23,10 +23,12 @@ struct AirOutputs {
   std::vector<Frame> frames;  ///< WAIT first, then at most one negotiation or session frame, then rejections
   Channel tuned;
   bool stand_still = false;  ///< negotiating or in session: the robot must stop
-  bool robot_near =
-      false;  ///< a WAIT of another robot was heard in this step (remembered for 0.2 s while tuned away)
+  /// Another robot was heard in this step; one heard before is remembered for one wait_period, and for 0.2 s
+  /// while tuned away.
+  bool robot_near = false;
   std::optional<Path> received;  ///< a partner's whole path, once, when it is complete
   std::vector<Exchange> ended;   ///< attempts that ended in this step
+  std::uint32_t malformed = 0;   ///< frames heard in this step that are not of the protocol
 };
 
 /// The radio side of an agent: presence (WAIT), pairing (Algorithms 5 and 6) and path exchange.

@@ -9,14 +9,17 @@ namespace caravan::agent {
 /// wins.
 ///
 /// Intersections are proper crossings and vertices of one path within 0.05 m of the other; a collinear
-/// overlap contributes its two ends. They must come in the same order along both paths, others are skipped.
-/// Both ends of the paths count as intersections. The result is the same whichever of the two is `own`
-/// (merge(a, b) and merge(b, a) are equal vertex for vertex), never longer than the shorter of the two,
-/// connected, on the 1 mm grid, and starts and ends where `own` and `other` do.
+/// overlap contributes its two ends (and vertices inside it, between which both sections are equally long).
+/// Both ends of the paths count as intersections. They must come in the same order along both paths; where
+/// they do not, the selection that gives the shortest result counts and others are skipped. A change of paths
+/// that gains less than 2 mm (more, where the paths touch without meeting exactly) is not made.
 ///
-/// @pre at least two vertices each; first vertices within 0.05 m of one another, last ones too; otherwise the
-/// shorter
-///      path is returned whole
+/// The result is the same whichever of the two is `own` (merge(a, b) and merge(b, a) are equal vertex for
+/// vertex), never longer than the shorter of the two, connected, on the 1 mm grid, and starts and ends where
+/// `own` and `other` do. Its vertices are vertices of the two and crossings, these rounded to the grid.
+///
+/// @pre vertices finite, at least two in each path; first vertices within 0.05 m of one another, last ones
+///      too; otherwise the shorter path is returned whole (of a path and none: the path)
 [[nodiscard]] Path merge(const Path& own, const Path& other);
 
 }  // namespace caravan::agent

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/communication.hpp"
+
+#include <algorithm>
+
+#include "robot_agent/core/exchange/transfer.hpp"
+#include "robot_agent/core/frames/codec.hpp"
+#include "robot_agent/core/pairing/eligibility.hpp"
+#include "robot_agent/core/pairing/pairing.hpp"
+#include "robot_agent/core/pairing/timers.hpp"
+#include "runtime/pure/assert.hpp"
+#include "runtime/pure/overload.hpp"
+
+namespace caravan::agent {
+
+struct Communication::Impl {
+  Config config;
+  Pairing pairing;
+  State state = Free{};
+  std::optional<Transfer> transfer;  // while InSession
+  Contacts contacts;
+  Time next_wait{0};
+  std::optional<Time> robot_heard;  // when last
+  Channel listened;                 // the channel that the present step's frames were heard on
+  std::vector<Refuse> refusals;     // of the present step
+
+  explicit Impl(const Config& c) : config{c}, pairing{c} {
+    CARAVAN_ASSERT(c.id.value != 0 && c.channel_count >= 2 && points_per_frame() >= 1);
+  }
+
+  [[nodiscard]] std::uint32_t points_per_frame() const {
+    return std::min(config.points_per_frame, points_that_fit(config.mtu_bytes));
+  }
+  [[nodiscard]] static Mode mode(const AirInputs& inputs) {
+    return inputs.own_path.size() >= 2 ? Mode::kTransport : Mode::kExplore;
+  }
+  [[nodiscard]] bool is_eligible(RobotId partner, Mode partners, const AirInputs& inputs) const {
+    return can_communicate(config, contacts, mode(inputs), partner, partners, inputs.now);
+  }
+  [[nodiscard]] Channel channel_with(RobotId partner) const {
+    return private_channel(config.id, partner, config.channel_count);
+  }
+  [[nodiscard]] bool is_for_me(RobotId from, RobotId to) const {
+    return to == config.id && from != config.id;
+  }
+  [[nodiscard]] bool is_mine(RobotId from, std::uint16_t session) const {
+    const auto* s = std::get_if<InSession>(&state);
+    return s != nullptr && s->partner == from && s->session == session;
+  }
+
+  AirOutputs step(const AirInputs& inputs);
+  void hear(const Frame& frame, const AirInputs& inputs, AirOutputs& outputs);
+  void hear_wait(const Wait& wait, const AirInputs& inputs, AirOutputs& outputs);
+  void hear_fragment(const PathFragment& fragment, const AirInputs& inputs, AirOutputs& outputs);
+  Send apply(const PairingEvent& event, const AirInputs& inputs, AirOutputs& outputs);
+  void conclude(const Outcome& outcome, AirOutputs& outputs);
+  void send_wait(const AirInputs& inputs, AirOutputs& outputs);
+  void send_for_state(Send send, const AirInputs& inputs, AirOutputs& outputs);
+  void send_rejections(Time now, AirOutputs& outputs);
+  [[nodiscard]] Channel tuned() const;
+  [[nodiscard]] bool is_robot_near(Time now) const;
+};
+
+AirOutputs Communication::Impl::step(const AirInputs& inputs) {
+  AirOutputs outputs;
+  outputs.frames.reserve(2);
+  refusals.clear();
+  for (const Frame& frame : inputs.heard) hear(frame, inputs, outputs);
+  const Send send = apply(Tick{}, inputs, outputs);
+  send_wait(inputs, outputs);
+  send_for_state(send, inputs, outputs);
+  send_rejections(inputs.now, outputs);
+  outputs.stand_still = stands_still(state);
+  outputs.robot_near = is_robot_near(inputs.now);
+  outputs.tuned = tuned();
+  listened = outputs.tuned;
+  return outputs;
+}
+
+void Communication::Impl::hear(const Frame& frame, const AirInputs& inputs, AirOutputs& outputs) {
+  const Decoded decoded = decode(frame.bytes);
+  std::visit(pure::Overload{
+                 [&](const Wait& wait) { hear_wait(wait, inputs, outputs); },
+                 [&](const Accept& accept) {
+                   if (!is_for_me(accept.from, accept.to)) return;
+                   apply(AcceptHeard{accept, is_eligible(accept.from, accept.mode, inputs)}, inputs, outputs);
+                 },
+                 [&](const AcceptAck& ack) {
+                   if (is_for_me(ack.from, ack.to)) apply(AcceptAckHeard{ack}, inputs, outputs);
+                 },
+                 [&](const Reject& reject) {
+                   if (is_for_me(reject.from, reject.to)) apply(RejectHeard{reject}, inputs, outputs);
+                 },
+                 [&](const PathFragment& fragment) {
+                   if (is_for_me(fragment.from, fragment.to)) hear_fragment(fragment, inputs, outputs);
+                 },
+                 [&](const End& end) {
+                   if (!is_for_me(end.from, end.to)) return;
+                   const bool crossed = is_mine(end.from, end.session) && transfer->holds_all();
+                   apply(EndHeard{end.from, end.session, crossed}, inputs, outputs);
+                 },
+                 [&](DecodeError) { ++outputs.malformed; },
+             },
+             decoded);
+}
+
+void Communication::Impl::hear_wait(const Wait& wait, const AirInputs& inputs, AirOutputs& outputs) {
+  if (wait.from == config.id) return;  // somebody bears our number
+  robot_heard = inputs.now;
+  apply(WaitHeard{wait, is_eligible(wait.from, wait.mode, inputs)}, inputs, outputs);
+}
+
+void Communication::Impl::hear_fragment(const PathFragment& fragment, const AirInputs& inputs,
+                                        AirOutputs& outputs) {
+  if (!is_mine(fragment.from, fragment.session)) return;
+  robot_heard = inputs.now;
+  transfer->absorb(fragment);
+  const bool crossed = transfer->holds_all() && transfer->has_given();
+  apply(FragmentHeard{fragment.from, fragment.session, crossed}, inputs, outputs);
+}
+
+/// Takes over what the state machine decides, and keeps a transfer exactly while a session is open.
+Send Communication::Impl::apply(const PairingEvent& event, const AirInputs& inputs, AirOutputs& outputs) {
+  const Decision decision = pairing.advance(state, event, inputs.now);
+  if (decision.outcome) conclude(*decision.outcome, outputs);
+  if (decision.refuse) refusals.push_back(*decision.refuse);
+  state = decision.next;
+  const bool is_open = std::holds_alternative<InSession>(state);
+  if (is_open && !transfer) {
+    // Partial mode: a robot that has a path gives and takes nothing.
+    const bool wants = config.sharing == Sharing::kFull || mode(inputs) == Mode::kExplore;
+    transfer.emplace(inputs.own_path, wants, points_per_frame());
+  } else if (!is_open) {
+    transfer.reset();
+  }
+  return decision.send;
+}
+
+void Communication::Impl::conclude(const Outcome& outcome, AirOutputs& outputs) {
+  const Exchange& exchange = outcome.exchange;
+  outputs.ended.push_back(exchange);
+  const Time hold = exchange.completed ? Time{config.recontact_after} : outcome.hold;
+  if (hold > Time{0}) contacts.avoid_until(exchange.partner, exchange.ended + hold);
+  if (!exchange.completed) return;
+  Path path = transfer->partners_path();
+  if (!path.empty()) outputs.received = std::move(path);
+}
+
+void Communication::Impl::send_wait(const AirInputs& inputs, AirOutputs& outputs) {
+  if (inputs.now < next_wait) return;
+  next_wait = inputs.now + config.wait_period;
+  const Presence presence = presence_in(state, inputs.now);
+  const Wait wait{config.id, mode(inputs), presence.engagement, presence.partner};
+  outputs.frames.push_back({kCommonChannel, encode(wait)});
+}
+
+void Communication::Impl::send_for_state(Send send, const AirInputs& inputs, AirOutputs& outputs) {
+  const auto put = [&outputs](Channel channel, const Message& message) {
+    outputs.frames.push_back({channel, encode(message)});
+  };
+  switch (send) {
+    case Send::kNothing:
+      return;
+    case Send::kAccept: {
+      const auto& s = std::get<Accepting>(state);
+      return put(kCommonChannel, Accept{config.id, s.partner, s.session, mode(inputs)});
+    }
+    case Send::kAcceptAck: {
+      const auto& s = std::get<InSession>(state);
+      return put(kCommonChannel, AcceptAck{config.id, s.partner, s.session});
+    }
+    case Send::kFragment: {
+      const auto& s = std::get<InSession>(state);
+      PathFragment fragment = transfer->next();
+      fragment.from = config.id;
+      fragment.to = s.partner;
+      fragment.session = s.session;
+      return put(channel_with(s.partner), fragment);
+    }
+    case Send::kEnd: {
+      const auto& s = std::get<Lingering>(state);
+      return put(channel_with(s.partner), End{config.id, s.partner, s.session});
+    }
+  }
+}
+
+void Communication::Impl::send_rejections(Time now, AirOutputs& outputs) {
+  for (const Refuse& refuse : refusals) {
+    if (!contacts.may_reject(refuse.to, now)) continue;
+    const Channel channel = refuse.on_private_channel ? channel_with(refuse.to) : kCommonChannel;
+    outputs.frames.push_back({channel, encode(Reject{config.id, refuse.to, refuse.session, refuse.refusal})});
+  }
+}
+
+Channel Communication::Impl::tuned() const {
+  return std::visit(pure::Overload{
+                        [](const Free&) { return kCommonChannel; },
+                        [](const Accepting&) { return kCommonChannel; },
+                        [](const Awaiting&) { return kCommonChannel; },
+                        [&](const InSession& s) { return channel_with(s.partner); },
+                        [&](const Lingering& s) { return channel_with(s.partner); },
+                    },
+                    state);
+}
+
+/// Robots are silent to one who listens elsewhere, and between their WAITs.
+bool Communication::Impl::is_robot_near(Time now) const {
+  const Time remembered = listened == kCommonChannel ? Time{config.wait_period} : kRemember;
+  return robot_heard && now - *robot_heard <= remembered;
+}
+
+Communication::Communication(const Config& config) : impl_{std::make_unique<Impl>(config)} {}
+Communication::~Communication() = default;
+Communication::Communication(Communication&&) noexcept = default;
+Communication& Communication::operator=(Communication&&) noexcept = default;
+
+AirOutputs Communication::step(const AirInputs& inputs) { return impl_->step(inputs); }
+
+}  // namespace caravan::agent

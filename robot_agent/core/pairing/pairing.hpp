@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "robot_agent/core/config.hpp"
+#include "robot_agent/core/frames/messages.hpp"
+
+/// Algorithm 6: how two robots agree to exchange paths, and when they stop trying. docs/protocol.md, section
+/// "Pairing", is normative.
+namespace caravan::agent {
+
+/// Drives on and looks for a partner, from `rests_until` on.
+struct Free {
+  Time rests_until{0};
+};
+/// Primary: stands, sends ACCEPT, waits for ACCEPTACK.
+struct Accepting {
+  RobotId partner;
+  std::uint16_t session = 0;
+  Time began{0};
+  Time last_heard{0};  ///< of the partner
+  Time next_accept{0};
+  std::uint32_t accepts_left = 0;
+};
+/// Secondary: stands, waits for ACCEPT.
+struct Awaiting {
+  RobotId partner;
+  Time began{0};
+  Time last_heard{0};
+};
+/// Stands, listens to the private channel, exchanges paths.
+struct InSession {
+  RobotId partner;
+  std::uint16_t session = 0;
+  bool primary = false;
+  bool confirmed = false;  ///< the partner is known to be here too; until then ACCEPTACK is repeated
+  Time began{0};           ///< of the attempt
+  Time opened{0};          ///< of the session
+  Time last_heard{0};
+};
+/// Both paths have crossed. Drives on, and repeats END on the private channel for a partner that may not
+/// know.
+struct Lingering {
+  RobotId partner;
+  std::uint16_t session = 0;
+  Time leaves{0};  ///< the last moment at which END is sent
+};
+using State = std::variant<Free, Accepting, Awaiting, InSession, Lingering>;
+
+/// A WAIT of another robot. `eligible`: Algorithm 5 says yes.
+struct WaitHeard {
+  Wait wait;
+  bool eligible = false;
+};
+/// An ACCEPT for this robot. `eligible` as above.
+struct AcceptHeard {
+  Accept accept;
+  bool eligible = false;
+};
+/// An ACCEPTACK for this robot.
+struct AcceptAckHeard {
+  AcceptAck ack;
+};
+/// A REJECT for this robot.
+struct RejectHeard {
+  Reject reject;
+};
+/// A path fragment for this robot. `crossed`: by now, both paths have crossed.
+struct FragmentHeard {
+  RobotId from;
+  std::uint16_t session = 0;
+  bool crossed = false;
+};
+/// An END for this robot. `crossed`: the partner's path is here, so with END both paths have crossed.
+struct EndHeard {
+  RobotId from;
+  std::uint16_t session = 0;
+  bool crossed = false;
+};
+/// The end of a step, after everything that was heard in it.
+struct Tick {};
+using PairingEvent =
+    std::variant<WaitHeard, AcceptHeard, AcceptAckHeard, RejectHeard, FragmentHeard, EndHeard, Tick>;
+
+/// What to send for the state, at most one frame in a step.
+enum class Send : std::uint8_t { kNothing, kAccept, kAcceptAck, kFragment, kEnd };
+
+/// A REJECT to send, where the other robot listens.
+struct Refuse {
+  RobotId to;
+  std::uint16_t session = 0;
+  Refusal refusal = Refusal::kBusy;
+  bool on_private_channel = false;
+};
+
+/// An attempt that is over, and for how long this partner is not to be tried again (0: no hold).
+struct Outcome {
+  Exchange exchange;
+  Time hold{0};
+};
+
+struct Decision {
+  State next;
+  Send send = Send::kNothing;
+  std::optional<Refuse> refuse;
+  std::optional<Outcome> outcome;
+};
+
+/// The state machine.
+///
+///   state     | WAIT, free and | WAIT that waits | WAIT of my     | ACCEPT for me   | ACCEPTACK | REJECT |
+///   PATH or END
+///             | eligible       | for me          | partner        |                 | of mine   | of mine|
+///             of mine
+///   ----------+----------------+-----------------+----------------+-----------------+-----------+--------+------------
+///   Free      | Accepting or   | the same, or    | (has none)     | InSession, or   | -         | -      | -
+///             | Awaiting       | REJECT          |                | REJECT          |           |        |
+///   Accepting | -              | REJECT, unless  | Free when it   | REJECT          | InSession | Free   | -
+///             |                | of my partner   | is busy        |                 |           |        |
+///   Awaiting  | -              | REJECT, unless  | Free when it   | InSession if of | -         | Free   | -
+///             |                | of my partner   | is busy        | partner; REJECT |           |        |
+///   InSession | -              | -               | -              | -               | -         | Free   |
+///   Lingering
+///             |                |                 |                |                 |           |        |
+///             when crossed
+///   Lingering | -              | -               | -              | -               | -         | -      |
+///   END: Free
+///
+///   At the end of a step Accepting sends ACCEPT when one is due; InSession sends ACCEPTACK until confirmed,
+///   then PATH; Lingering sends END. Deadlines that lead to Free: accept_attempts * accept_period (Accepting,
+///   Awaiting), session_timer (InSession), silence of the partner (all three), leaves (Lingering).
+///
+/// "-" is ignored on purpose. The higher id is primary (Accepting), the lower one secondary (Awaiting). A
+/// WAIT waits for me when its sender negotiates or is in session with me. After a failure Free rests for
+/// kRest.
+class Pairing {
+ public:
+  explicit Pairing(const Config& config);
+
+  /// Pure: equal arguments, equal decision.
+  [[nodiscard]] Decision advance(const State& state, const PairingEvent& event, Time now) const;
+
+ private:
+  struct Rules;
+  RobotId id_;
+  Time accept_period_;
+  std::uint32_t accept_attempts_;
+  Time session_timer_;
+  Time silence_;
+};
+
+/// What a robot in this state says of itself in its WAIT.
+struct Presence {
+  Engagement engagement = Engagement::kFree;
+  RobotId partner;
+};
+[[nodiscard]] Presence presence_in(const State& state, Time now);
+[[nodiscard]] bool stands_still(const State& state);
+
+}  // namespace caravan::agent
