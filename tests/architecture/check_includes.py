@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Which folder may include what, and no cycles. Prints every breach; exit code 1 when there is one."""
+
+import pathlib
+import re
+import sys
+
+# What an include may be: a kind of outside header or a folder of the project.
+STD, POSIX, EIGEN, ODE, DDS, ROBOT_TYPES, TRUTH_TYPES = "std posix Eigen ode dds robot-types truth-types".split()
+TOML, JSON, LOG, CLI = "toml++ json spdlog CLI11".split()
+CONFIG = ["runtime/config", "runtime/scenario", "runtime/pure"]
+PROCESS = [STD, POSIX, LOG, "runtime", "idl"]
+
+# Folder -> what its files may include beside their own folder. The longest matching folder decides.
+ALLOWED = {
+    "runtime/pure": [STD],
+    "runtime/config": [STD, TOML, "runtime/pure"],
+    "runtime/scenario": [STD, "runtime/config", "runtime/pure"],
+    "runtime/process": [STD, POSIX, LOG, CLI, "runtime/config"],
+    "runtime/bus": [STD, POSIX, DDS, ROBOT_TYPES, "idl", "runtime/config", "runtime/pure"],
+    "idl": [STD, ROBOT_TYPES],
+    "robot_agent/core": [STD, EIGEN, "runtime/pure"],
+    "robot_agent/config": [STD, EIGEN, *CONFIG, "robot_agent/core"],
+    "robot_agent": [*PROCESS, EIGEN, DDS, ROBOT_TYPES, "robot_agent"],
+    "world_server/physics": [STD, ODE, EIGEN, "runtime/pure", "world_server"],
+    "world_server/config": [STD, *CONFIG, "world_server"],
+    "world_server/shell": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "world_server"],
+    "world_server": [STD, EIGEN, *CONFIG, "world_server"],
+    "world_server/main.cpp": [*PROCESS, "world_server"],
+    "radio_emulator/medium": [STD, "runtime/pure"],
+    "radio_emulator/config": [STD, *CONFIG, "radio_emulator/medium"],
+    "radio_emulator": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "radio_emulator"],
+    "deploy/metrics": [STD, POSIX, JSON, "runtime/config", "runtime/pure"],
+    "deploy/experiment": [STD, "runtime/config", "runtime/process", "deploy/metrics"],
+    "deploy/embedded": [STD, EIGEN, *CONFIG, "runtime/process", "deploy/metrics", "deploy/experiment",
+                        "robot_agent/core", "robot_agent/config", "world_server", "radio_emulator/medium",
+                        "radio_emulator/config"],
+    "deploy/launcher": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "deploy/metrics", "deploy/experiment"],
+    "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "deploy", "robot_agent/config",
+                   "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium"],
+}
+SHELLS = ("robot_agent/shell", "world_server/shell", "radio_emulator/shell")
+
+# A core is a function of values: nothing here may come from outside its arguments.
+CORES = ("robot_agent/core", "radio_emulator/medium", "world_server/physics", "world_server/barrier",
+         "world_server/referee", "world_server/sensors", "runtime/pure")
+NOT_IN_A_CORE = {"thread", "mutex", "condition_variable", "future", "atomic", "fstream", "iostream", "filesystem",
+                 "random", "ctime", "unordered_map", "unordered_set"}
+NO_CLOCK = re.compile(r"_clock::now\b")
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
+GENERATED_FOR_ROBOTS = re.compile(r"(robot|stamp|clock)(PubSubTypes)?\.h$")
+GENERATED_FOR_TRUTH = re.compile(r"world(PubSubTypes)?\.h$")
+POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|poll|sched|pthread|signal|dirent|spawn|netdb|arpa/.*|netinet/.*)\.h$")
+OUTSIDE = {"Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr": DDS, "toml++": TOML,
+           "nlohmann": JSON, "spdlog": LOG, "CLI": CLI}
+
+
+def kind_of(bracket, name, top_folders):
+    """What an include is: a kind of outside header, or the path inside the project; None if unknown."""
+    first = name.split("/")[0]
+    if bracket == '"':
+        if first in top_folders and "/" in name:
+            return name
+        if GENERATED_FOR_TRUTH.fullmatch(name):
+            return TRUTH_TYPES
+        return ROBOT_TYPES if GENERATED_FOR_ROBOTS.fullmatch(name) else None
+    if first in OUTSIDE and "/" in name:
+        return OUTSIDE[first]
+    if POSIX_HEADERS.fullmatch(name):
+        return POSIX
+    return STD if re.fullmatch(r"[a-z_0-9]+", name) else None
+
+
+def rule_for(path):
+    matches = [folder for folder in ALLOWED if path == folder or path.startswith(folder + "/")]
+    return max(matches, key=len, default=None)
+
+
+def is_inside(path, folder):
+    return path == folder or path.startswith(folder + "/")
+
+
+def breaches_of(path, text, top_folders):
+    rule = rule_for(path)
+    if rule is None:
+        yield f"{path}: no rule says what this folder may include"
+        return
+    core = any(is_inside(path, folder) for folder in CORES)
+    if core and NO_CLOCK.search(text):
+        yield f"{path}: a core asks no clock"
+    for bracket, name in INCLUDE.findall(text):
+        kind = kind_of(bracket, name, top_folders)
+        if kind is None:
+            yield f"{path}: unknown include {name}"
+        elif core and kind == STD and name in NOT_IN_A_CORE:
+            yield f"{path}: <{name}> has no place in a core"
+        elif "/" not in kind:
+            if kind not in ALLOWED[rule]:
+                yield f"{path}: {rule} must not include {name} ({kind})"
+        elif not any(is_inside(kind, folder) for folder in [rule, *ALLOWED[rule]]):
+            yield f"{path}: {rule} must not include {name}"
+        elif any(is_inside(kind, shell) for shell in SHELLS) and path.split("/")[0] != kind.split("/")[0]:
+            yield f"{path}: {name} belongs to another program"
+
+
+def cycle_in(graph):
+    """One cycle of the include graph as a list of files, or None."""
+    state, trail = {}, []
+
+    def visit(node):
+        state[node] = "open"
+        trail.append(node)
+        for following in sorted(graph.get(node, ())):
+            if state.get(following) == "open":
+                return trail[trail.index(following):] + [following]
+            if following not in state and (found := visit(following)):
+                return found
+        trail.pop()
+        state[node] = "done"
+        return None
+
+    for node in sorted(graph):
+        if node not in state and (found := visit(node)):
+            return found
+    return None
+
+
+def check(root):
+    top_folders = {"runtime", "idl", "robot_agent", "world_server", "radio_emulator", "hardware_bridge", "deploy", "tests"}
+    found, graph = [], {}
+    for top in sorted(top_folders - {"tests"}):
+        for file in sorted((root / top).rglob("*.[ch]pp")):
+            path = file.relative_to(root).as_posix()
+            text = file.read_text()
+            found += breaches_of(path, text, top_folders)
+            graph[path] = {name for bracket, name in INCLUDE.findall(text) if bracket == '"' and (root / name).is_file()}
+    cycle = cycle_in(graph)
+    if cycle:
+        found.append("cycle: " + " -> ".join(cycle))
+    return found, len(graph)
+
+
+def main():
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2]).resolve()
+    found, files = check(root)
+    for breach in found:
+        print(breach)
+    print(f"{files} files, {len(found)} breaches")
+    return 1 if found or files == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
