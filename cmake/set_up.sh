@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
+# shellcheck shell=bash
 # Sourced by deploy/run and tests/run: brings a fresh Debian 12 machine to a build, saying what it does. Nothing
 # is done that is done already.
 

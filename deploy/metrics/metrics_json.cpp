@@ -26,7 +26,7 @@ Json robot_json(const RobotResult& robot) {
 
 }  // namespace
 
-std::string metrics_json(const RunFacts& facts, const Result& result, const RunEnd& end) {
+std::string metrics_json(const RunFacts& facts, const Result& result, const RunEnd& end, bool ended) {
   const Outcome outcome = outcome_of(facts, end, result.items_delivered, result.sim_time);
   const double sim_time_s = in_seconds(result.sim_time);
   Json json = {
@@ -35,6 +35,7 @@ std::string metrics_json(const RunFacts& facts, const Result& result, const RunE
       {"mode", facts.mode},
       {"seed", facts.seed},
       {"robots", facts.robots},
+      {"ended", ended},
       {"completed", outcome == Outcome::kCompleted},
       {"disturbed", end.disturbed},
       {"interrupted", end.interrupted},

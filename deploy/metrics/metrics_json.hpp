@@ -9,6 +9,9 @@
 namespace caravan::deploy {
 
 /// The text of metrics.json. Its keys are a contract with tools outside: keys are added, never renamed.
-[[nodiscard]] std::string metrics_json(const RunFacts& facts, const Result& result, const RunEnd& end);
+///
+/// @param ended  false: an interim state, written in case that the run never gets to its end
+[[nodiscard]] std::string metrics_json(const RunFacts& facts, const Result& result, const RunEnd& end,
+                                       bool ended = true);
 
 }  // namespace caravan::deploy

@@ -28,7 +28,7 @@ struct TimeSplit {
   double transport_s = 0.0;
 };
 
-/// What the engine knows when a run has ended.
+/// What the engine knows of a run, at its end or so far.
 struct RunEnd {
   std::string digest;      ///< 16 hex digits
   bool disturbed = false;  ///< a process was lost or came back

@@ -47,17 +47,17 @@ void RunRecord::keep_up(const std::function<RunEnd()>& so_far) {
   if (now - flushed_ < kFlushPeriod) return;
   flushed_ = now;
   files_.flush();
-  write_summary(so_far());
+  write_summary(so_far(), false);
 }
 
-void RunRecord::write_summary(const RunEnd& end) {
-  write_whole_file(folder_ / "metrics.json", metrics_json(facts_, metrics_.result(), end));
+void RunRecord::write_summary(const RunEnd& end, bool ended) {
+  write_whole_file(folder_ / "metrics.json", metrics_json(facts_, metrics_.result(), end, ended));
   write_whole_file(folder_ / "paths.csv", paths_csv(metrics_.paths()));
 }
 
 int RunRecord::close(const RunEnd& end) {
   files_.close();
-  write_summary(end);
+  write_summary(end, true);
   progress_.close();
   const Result result = metrics_.result();
   if (out_ != nullptr) {

@@ -36,7 +36,7 @@ class RunRecord {
   [[nodiscard]] const RunFacts& facts() const { return facts_; }
 
  private:
-  void write_summary(const RunEnd& end);
+  void write_summary(const RunEnd& end, bool ended);
 
   RunFacts facts_;
   std::filesystem::path folder_;
