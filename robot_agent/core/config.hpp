@@ -32,7 +32,7 @@ struct Config {
 
   // Exploration (Algorithm 2).
   double exploration_step_m = 1.0;      ///< to the next location
-  double exploration_spread_rad = 0.6;  ///< a new direction is drawn within this of the heading, at first
+  double exploration_spread_rad = 0.9;  ///< a new direction is drawn within this of the heading, at first
 
   // Driving.
   double cruise_mps = 0.975;

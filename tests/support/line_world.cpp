@@ -3,41 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "robot_agent/core/angle.hpp"
 
 namespace caravan::test {
 namespace {
 
-using agent::cross;
 using agent::direction;
 using agent::Point;
 
 constexpr double kRadius_m = 0.24;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kReflection = 0.92387953251128674;  // cosine of 22.5 degrees
 constexpr double kRadioRange_m = 2.0;
-constexpr std::array<double, 16> kX = {.069,  .114,  .148,  .166,  .166,  .148,  .114,  .069,
-                                       -.157, -.203, -.237, -.255, -.255, -.237, -.203, -.157};
-constexpr std::array<double, 16> kY = {.136,  .119,  .078,  .027,  -.027, -.078, -.119, -.136,
-                                       -.136, -.119, -.078, -.027, .027,  .078,  .119,  .136};
-constexpr std::array<double, 16> kHeading = {90,  50,   30,   10,   -10, -30, -50, -90,
-                                             -90, -130, -150, -170, 170, 150, 130, 90};
-
-/// Distance along a ray to a wall; negative when the echo is lost.
-double hit(const Point& from, const Point& along, const Wall& wall) {
-  const Point side = wall.b - wall.a;
-  const double denominator = cross(along, side);
-  if (std::abs(denominator) < 1e-12) return kInfinity;
-  const double distance = cross(wall.a - from, side) / denominator;
-  const double share = cross(wall.a - from, along) / denominator;
-  if (distance < 0.0 || share < 0.0 || share > 1.0) return kInfinity;
-  const double incidence = std::abs(cross(along, side)) / side.norm();
-  return incidence > kReflection ? distance : -distance;
-}
-
 double distance_to(const Wall& wall, const Point& p) {
   const Point along = wall.b - wall.a;
   const double share = std::clamp((p - wall.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
@@ -45,15 +21,6 @@ double distance_to(const Wall& wall, const Point& p) {
 }
 
 }  // namespace
-
-std::vector<Wall> rectangle(const Point& centre, double width_m, double height_m, double yaw_rad) {
-  const Point x = 0.5 * width_m * direction(yaw_rad);
-  const Point y = 0.5 * height_m * direction(yaw_rad + 0.5 * std::numbers::pi);
-  const std::array<Point, 4> corners = {centre + x + y, centre - x + y, centre - x - y, centre + x - y};
-  std::vector<Wall> walls;
-  for (std::size_t i = 0; i < 4; ++i) walls.push_back({corners[i], corners[(i + 1) % 4]});
-  return walls;
-}
 
 void LineWorld::add_robot(const Point& p_WB, double yaw_WB_rad) {
   agent::Config config = config_;
@@ -81,40 +48,23 @@ int LineWorld::count(std::size_t robot, const std::string& event) const {
   return found == events_[robot].end() ? 0 : found->second;
 }
 
-double LineWorld::range_m(std::size_t robot, std::size_t sonar) const {
-  const Body& self = bodies_[robot];
-  const Point ahead = direction(self.yaw_WB_rad);
-  const Point left{-ahead.y(), ahead.x()};
-  const Point from = self.p_WB + kX[sonar] * ahead + kY[sonar] * left;
-  double nearest_of_all = kInfinity;
-  for (const double aside : {-0.2, -0.1, 0.0, 0.1, 0.2}) {
-    const Point along = direction(self.yaw_WB_rad + kHeading[sonar] * std::numbers::pi / 180.0 + aside);
-    double nearest = config_.sonar_range_m;
-    bool lost = true;
-    const auto offer = [&](double distance) {
-      if (std::abs(distance) >= nearest) return;
-      nearest = std::abs(distance);
-      lost = distance < 0.0;
-    };
-    for (const Wall& wall : walls_) offer(hit(from, along, wall));
-    for (std::size_t other = 0; other < bodies_.size(); ++other) {
-      const double reach = nearest + 1.0;
-      if (other == robot || (bodies_[other].p_WB - from).squaredNorm() > reach * reach) continue;
-      for (const Wall& side : rectangle(bodies_[other].p_WB, 0.48, 0.38, bodies_[other].yaw_WB_rad)) {
-        offer(hit(from, along, side));
-      }
-    }
-    if (!lost) nearest_of_all = std::min(nearest_of_all, nearest);
-  }
-  return nearest_of_all;
-}
-
 agent::Sensors LineWorld::sense(std::size_t robot) const {
+  const Body& self = bodies_[robot];
+  const double reach = config_.sonar_range_m + 1.0;
+  std::vector<Wall> walls;
+  for (const Wall& wall : walls_) {
+    if (distance_to(wall, self.p_WB) < reach) walls.push_back(wall);
+  }
+  for (std::size_t other = 0; other < bodies_.size(); ++other) {
+    if (other == robot || (bodies_[other].p_WB - self.p_WB).norm() > reach) continue;
+    const auto sides = rectangle(bodies_[other].p_WB, 0.48, 0.38, bodies_[other].yaw_WB_rad);
+    walls.insert(walls.end(), sides.begin(), sides.end());
+  }
   agent::Sensors sensors;
-  for (std::size_t i = 0; i < agent::kSonarCount; ++i) sensors.sonar_range_m[i] = range_m(robot, i);
-  sensors.p_WB = bodies_[robot].p_WB;
-  sensors.yaw_WB_rad = bodies_[robot].yaw_WB_rad;
-  sensors.holding = bodies_[robot].holding;
+  sensors.sonar_range_m = sonar_ranges_m(walls, self.p_WB, self.yaw_WB_rad, config_.sonar_range_m);
+  sensors.p_WB = self.p_WB;
+  sensors.yaw_WB_rad = self.yaw_WB_rad;
+  sensors.holding = self.holding;
   return sensors;
 }
 

@@ -6,16 +6,9 @@
 #include <vector>
 
 #include "robot_agent/core/agent.hpp"
+#include "tests/support/sonar_model.hpp"
 
 namespace caravan::test {
-
-/// A wall, seen and solid from both sides.
-struct Wall {
-  agent::Point a, b;
-};
-/// The four sides of a rectangle turned about its centre.
-[[nodiscard]] std::vector<Wall> rectangle(const agent::Point& centre, double width_m, double height_m,
-                                          double yaw_rad = 0.0);
 
 /// A body in the line world: a disc that looks like a square to the sonars.
 struct Body {
@@ -53,7 +46,6 @@ class LineWorld {
 
  private:
   static constexpr double kStep_s = 0.032;
-  [[nodiscard]] double range_m(std::size_t robot, std::size_t sonar) const;
   [[nodiscard]] bool is_free(std::size_t robot, const agent::Point& p_WB) const;
   void move(std::size_t robot, const agent::Wheels& wheels);
   void grip(std::size_t robot, bool closed);

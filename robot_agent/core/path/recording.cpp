@@ -34,11 +34,11 @@ Recording::Recording(const Point& source, double spacing_m) : path_{on_grid(sour
 
 void Recording::visit(const Point& p_WB, double yaw_WB_rad) {
   const double since = (p_WB - path_.back()).norm();
-  const bool first = path_.size() == 1;
   const bool far = since >= spacing_m_;
   const bool turned = std::abs(wrapped(yaw_WB_rad - last_yaw_WB_rad_)) > kSharpTurn_rad &&
                       since >= std::min(kShortestSegment_m, spacing_m_);
-  if (!first && !far && !turned) return;
+  if (started_ && !far && !turned) return;
+  started_ = true;
   add(path_, on_grid(p_WB));
   last_yaw_WB_rad_ = yaw_WB_rad;
 }

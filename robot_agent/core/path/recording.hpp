@@ -22,6 +22,7 @@ class Recording {
  private:
   Path path_;
   double spacing_m_;
+  bool started_ = false;
   double last_yaw_WB_rad_ = 0.0;  // at the last vertex
 };
 

@@ -94,9 +94,9 @@ Route::Ends Route::restore(const Point& p_WB) {
   CARAVAN_ASSERT(provisional_.has_value());
   const Ends blocked = provisional_->latest;
   // Back on what was driven of the shortcut, to the vertex where it left the old path.
-  std::vector<Point> back(plan_.begin() + static_cast<std::ptrdiff_t>(provisional_->first),
-                          plan_.begin() + static_cast<std::ptrdiff_t>(next_));
-  if (back.empty()) back.push_back(plan_[provisional_->first]);
+  const auto first = plan_.begin() + static_cast<std::ptrdiff_t>(provisional_->first);
+  std::vector<Point> back(
+      first, plan_.begin() + static_cast<std::ptrdiff_t>(std::max(next_, provisional_->first + 1)));
   const Point left_at = back.front();
   // `back` is passed from its end.
   plan_from_driven();

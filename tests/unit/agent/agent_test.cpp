@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/agent.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "tests/support/line_world.hpp"
+
+namespace caravan::agent {
+namespace {
+
+using namespace std::chrono_literals;
+using test::LineWorld;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// A room of 12 m with a box in it; the destination is out of sight from the source.
+Config room() {
+  Config config;
+  config.source = {-4.5, -4.5};
+  config.destination = {4.5, 4.5};
+  config.sharing = Sharing::kNone;
+  return config;
+}
+LineWorld world_of(const Config& config) {
+  LineWorld world{config};
+  world.add_walls(test::rectangle({0, 0}, 12, 12));
+  world.add_walls(test::rectangle({0, 0}, 3, 2, -0.785));
+  return world;
+}
+
+/// What a robot sensed and answered in a drive through the room.
+struct Drive {
+  std::vector<Inputs> inputs;
+  std::vector<Outputs> outputs;
+};
+Drive drive(const Config& config, int steps) {
+  LineWorld world = world_of(config);
+  world.add_robot({-4.0, -4.0}, 0.7);
+  Drive result;
+  for (int i = 0; i < steps; ++i) {
+    result.inputs.push_back({i * 32ms, world.sense(0), {}});
+    world.step();
+    result.outputs.push_back(world.outputs(0));
+  }
+  return result;
+}
+
+TEST(Agent, RecordedSensorsGiveTheSameCommandsAgain) {
+  const Drive recorded = drive(room(), 5000);
+  Config config = room();
+  config.id = RobotId{1};
+  Agent agent{config};
+  for (std::size_t i = 0; i < recorded.inputs.size(); ++i) {
+    const Outputs again = agent.step(recorded.inputs[i]);
+    ASSERT_EQ(again.wheels, recorded.outputs[i].wheels) << "step " << i;
+    ASSERT_EQ(again.gripper_closed, recorded.outputs[i].gripper_closed) << "step " << i;
+    ASSERT_EQ(again.frames, recorded.outputs[i].frames) << "step " << i;
+  }
+}
+
+TEST(Agent, TheDestinationHasNoInfluenceUntilItIsInSight) {
+  const Drive recorded = drive(room(), 3000);
+  Config here = room();
+  Config elsewhere = room();
+  elsewhere.destination = {-300.0, 7000.0};
+  Agent one{here};
+  Agent other{elsewhere};
+  bool in_sight = false;
+  int equal_steps = 0;
+  for (const Inputs& inputs : recorded.inputs) {
+    const Wheels first = one.step(inputs).wheels;
+    const Wheels second = other.step(inputs).wheels;
+    in_sight = in_sight || (inputs.sensors.p_WB - here.destination).norm() <= here.detection_radius_m;
+    if (in_sight) break;
+    ASSERT_EQ(first, second);
+    ++equal_steps;
+  }
+  EXPECT_TRUE(in_sight) << "the drive was too short to test anything";
+  EXPECT_GT(equal_steps, 100);
+}
+
+TEST(Agent, WithoutPositionOrHeadingItStopsAndGoesOnWhenTheyAreBack) {
+  Agent agent{room()};
+  Sensors open;
+  open.sonar_range_m.fill(std::numeric_limits<double>::infinity());
+  EXPECT_NE(agent.step({0ms, open, {}}).wheels, Wheels{});
+  Sensors lost = open;
+  lost.p_WB.x() = kNan;
+  const Outputs stopped = agent.step({32ms, lost, {}});
+  EXPECT_EQ(stopped.wheels, Wheels{});
+  EXPECT_EQ(stopped.report.activity, Activity::kIdle);
+  EXPECT_FALSE(stopped.frames.empty()) << "others must hear that it is there";
+  lost = open;
+  lost.yaw_WB_rad = kNan;
+  EXPECT_EQ(agent.step({64ms, lost, {}}).wheels, Wheels{});
+  EXPECT_NE(agent.step({96ms, open, {}}).wheels, Wheels{});
+}
+
+TEST(Agent, WithoutSonarsItStops) {
+  Agent agent{room()};
+  Sensors blind;
+  blind.sonar_range_m.fill(kNan);
+  EXPECT_EQ(agent.step({0ms, blind, {}}).wheels, Wheels{});
+}
+
+TEST(Agent, SaysItIsThereInEveryStepOnTheCommonChannel) {
+  const Drive recorded = drive(room(), 100);
+  for (const Outputs& outputs : recorded.outputs) {
+    ASSERT_FALSE(outputs.frames.empty());
+    EXPECT_EQ(outputs.frames.front().channel, kCommonChannel);
+  }
+}
+
+TEST(Agent, ReportsOnlyWhatChanged) {
+  const Drive recorded = drive(room(), 3000);
+  EXPECT_TRUE(recorded.outputs.front().reports);
+  int reports = 0;
+  for (const Outputs& outputs : recorded.outputs) reports += outputs.reports ? 1 : 0;
+  EXPECT_LT(reports, 1000);
+}
+
+TEST(Agent, FindsTheDestinationDrivesBackAndThenCarries) {
+  LineWorld world = world_of(room());
+  world.add_robot({-4.0, -4.0}, 0.7);
+  while (world.count(0, "found_path") == 0 && world.now_s() < 1200.0) world.step();
+  ASSERT_EQ(world.count(0, "found_path"), 1);
+  EXPECT_FALSE(world.outputs(0).gripper_closed);
+  EXPECT_EQ(world.path(0).front(), (Point{-4.5, -4.5}));
+  EXPECT_EQ(world.path(0).back(), (Point{4.5, 4.5}));
+  EXPECT_EQ(world.count(0, "delivered"), 0) << "the drive that found it delivers nothing";
+  world.run_for(400.0);
+  EXPECT_GE(world.delivered(0), 5U);
+  EXPECT_EQ(static_cast<std::uint32_t>(world.count(0, "delivered")), world.delivered(0));
+  EXPECT_EQ(world.outputs(0).report.trips, static_cast<std::uint32_t>(world.count(0, "picked_up")));
+}
+
+TEST(Agent, ItsPathBecomesShorterAndNeverLeadsThroughWhatItCouldNotDrive) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    Config config = room();
+    config.seed = seed;
+    LineWorld world = world_of(config);
+    world.add_robot({-4.0, -4.0}, 0.7);
+    while (world.path(0).empty() && world.now_s() < 1200.0) world.step();
+    const double found_m = length_m(world.path(0));
+    world.run_for(600.0);
+    EXPECT_LE(length_m(world.path(0)), found_m);
+    EXPECT_LT(length_m(world.path(0)), 17.0) << "the straight line measures 12.7 m";
+    const auto& path = world.path(0);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      EXPECT_GT((0.5 * (path[i] + path[i - 1])).norm(), 0.9) << "the box's middle";
+    }
+  }
+}
+
+TEST(Agent, NothingToPickUpIsReportedAndDoesNotStopIt) {
+  Config config = room();
+  config.service_radius_m = 0.01;  // the world hands nothing over
+  LineWorld world = world_of(config);
+  world.add_robot({-4.0, -4.0}, 0.7);
+  world.run_for(900.0);
+  EXPECT_GE(world.count(0, "nothing_picked_up"), 2);
+  EXPECT_EQ(world.outputs(0).report.trips, 0U);
+}
+
+}  // namespace
+}  // namespace caravan::agent

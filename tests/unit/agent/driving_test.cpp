@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "robot_agent/core/navigation/avoidance.hpp"
+#include "robot_agent/core/navigation/driver.hpp"
+#include "robot_agent/core/navigation/steering.hpp"
+#include "robot_agent/core/navigation/stuck.hpp"
+#include "robot_agent/core/task/arrival.hpp"
+#include "tests/support/sonar_model.hpp"
+
+namespace caravan::agent {
+namespace {
+
+using namespace std::chrono_literals;
+using test::look;
+using test::Wall;
+
+const std::vector<Wall> kAhead = {{{0.9, -0.5}, {0.9, 0.5}}};
+const std::vector<Wall> kNearAhead = {{{0.55, -0.5}, {0.55, 0.5}}};
+
+TEST(Steering, DrivesStraightAtCruiseTowardsAGoalAhead) {
+  const Config config;
+  const Wheels wheels = steer_to(0.0, speed_for(5.0, config), config);
+  EXPECT_DOUBLE_EQ(wheels.left_mps, config.cruise_mps);
+  EXPECT_DOUBLE_EQ(wheels.right_mps, config.cruise_mps);
+}
+
+TEST(Steering, TurnsInPlaceTowardsAGoalBehind) {
+  const Wheels wheels = steer_to(2.0, 0.975, {});
+  EXPECT_LT(wheels.left_mps, 0.0);
+  EXPECT_DOUBLE_EQ(wheels.left_mps, -wheels.right_mps);
+}
+
+TEST(Steering, NeverExceedsTheWheelLimit) {
+  Config config;
+  config.wheel_limit_mps = 1.0;
+  const Wheels wheels = wheels_for(0.975, 2.5, config);
+  EXPECT_LE(std::abs(wheels.right_mps), 1.0);
+  EXPECT_LT(wheels.left_mps, wheels.right_mps);
+}
+
+TEST(Steering, IsSlowNearAnObstacle) {
+  const Config config;
+  EXPECT_DOUBLE_EQ(speed_for(0.9, config), config.slow_mps);
+  EXPECT_DOUBLE_EQ(speed_for(2.0, config), config.cruise_mps);
+}
+
+TEST(Driver, AnEchoAheadWithAWaitIsARobotAndBothTurnSlightlyLeft) {
+  const Config config;
+  Driver driver{config, turn_slightly_left};
+  pure::Random random{1};
+  Perception seen = look(kAhead, {0, 0}, 0.0, config);
+  seen.robot_near = true;
+  EXPECT_EQ(driver.drive_to({5, 0}, seen, random).obstruction, Obstruction::kRobot);
+  const Motion motion = driver.drive_to({5, 0}, seen, random);
+  EXPECT_EQ(motion.activity, Activity::kAvoiding);
+  EXPECT_GT(motion.wheels.right_mps, motion.wheels.left_mps);
+}
+
+TEST(Driver, TheSameEchoWithoutAWaitIsAnObstacleAtTheShorterDistance) {
+  const Config config;
+  Driver driver{config, turn_slightly_left};
+  pure::Random random{1};
+  EXPECT_EQ(driver.drive_to({5, 0}, look(kAhead, {0, 0}, 0.0, config), random).obstruction,
+            Obstruction::kNone);
+  EXPECT_EQ(driver.drive_to({5, 0}, look(kNearAhead, {0, 0}, 0.0, config), random).obstruction,
+            Obstruction::kObstacle);
+}
+
+TEST(Driver, TheRuleForMeetingsIsReplaceable) {
+  Driver driver{{}, [](const Encounter&) { return Manoeuvre{Go{-1.0}}; }};
+  pure::Random random{1};
+  Perception seen = look(kAhead, {0, 0}, 0.0);
+  seen.robot_near = true;
+  (void)driver.drive_to({5, 0}, seen, random);
+  const Motion motion = driver.drive_to({5, 0}, seen, random);
+  EXPECT_LT(motion.wheels.left_mps, 0.0);
+  EXPECT_DOUBLE_EQ(motion.wheels.left_mps, motion.wheels.right_mps);
+}
+
+TEST(Driver, ARobotThatDrivesAndDoesNotMoveBacksOff) {
+  Driver driver{{}, turn_slightly_left};
+  pure::Random random{1};
+  bool touched = false;
+  bool backwards = false;
+  Perception seen = look({}, {0, 0}, 0.0);
+  for (int i = 0; i < 60; ++i) {
+    seen.now += 32ms;
+    const Motion motion = driver.drive_to({5, 0}, seen, random);
+    touched = touched || motion.obstruction == Obstruction::kTouch;
+    backwards = backwards || (motion.wheels.left_mps < 0.0 && motion.wheels.right_mps < 0.0);
+  }
+  EXPECT_TRUE(touched);
+  EXPECT_TRUE(backwards);
+}
+
+TEST(StuckMonitor, AMovingOrATurningOrAStandingRobotIsNotStuck) {
+  const Config config;
+  for (const Wheels wheels : {Wheels{0.9, 0.9}, Wheels{-0.3, 0.3}, Wheels{}}) {
+    StuckMonitor monitor;
+    Perception seen = look({}, {0, 0}, 0.0);
+    for (int i = 0; i < 300; ++i) {
+      EXPECT_FALSE(monitor.update(seen, wheels, config));
+      seen.now += 32ms;
+      const double speed = 0.5 * (wheels.left_mps + wheels.right_mps);
+      seen.p_WB.x() += 0.032 * speed;
+      seen.yaw_WB_rad =
+          wrapped(seen.yaw_WB_rad + 0.032 * (wheels.right_mps - wheels.left_mps) / config.track_m);
+    }
+  }
+}
+
+TEST(Avoidance, WithNoRoomOnTheLeftTheRobotBacksOffFirst) {
+  const std::vector<Wall> walls = {{{-5, 0.5}, {5, 0.5}}, {{0.6, -0.5}, {0.6, 0.5}}};
+  const Perception seen = look(walls, {0, 0}, 0.0);
+  const Manoeuvre manoeuvre = turn_slightly_left({seen, {}});
+  ASSERT_TRUE(std::holds_alternative<Go>(manoeuvre.front()));
+  EXPECT_LT(std::get<Go>(manoeuvre.front()).distance_m, 0.0);
+}
+
+TEST(Avoidance, RoundAnObstacleTheFreeDirectionNearestToTheGoalIsTaken) {
+  const std::vector<Wall> walls = {{{0.6, -0.2}, {0.6, 0.7}},
+                                   {{-1.0, 0.7}, {0.6, 0.7}}};  // free on the right
+  const Perception seen = look(walls, {0, 0}, 0.0);
+  const Manoeuvre manoeuvre = go_round({seen, {}});
+  ASSERT_TRUE(std::holds_alternative<TurnTo>(manoeuvre.front()));
+  EXPECT_LT(std::get<TurnTo>(manoeuvre.front()).yaw_WB_rad, 0.0);
+}
+
+TEST(Avoidance, FreeingItselfTheRobotTriesBothSides) {
+  const Perception seen = look({}, {0, 0}, 0.0);
+  const auto turn_of = [&](int attempt) {
+    return std::get<TurnTo>(free_itself({seen, {}, 0.0, 0.5, attempt})[1]).yaw_WB_rad;
+  };
+  EXPECT_LT(turn_of(0) * turn_of(1), 0.0);
+  EXPECT_GT(std::abs(turn_of(2)), std::abs(turn_of(0)));
+}
+
+TEST(Arrival, WithinOneMetreAndInACrowdWithinTheServiceRadius) {
+  const Config config;
+  EXPECT_TRUE(has_arrived(look({}, {0, 0}, 0.0), {0.99, 0}, config));
+  EXPECT_FALSE(has_arrived(look({}, {0, 0}, 0.0), {1.3, 0}, config));
+  Perception crowded = look(kAhead, {0, 0}, 0.0);
+  EXPECT_FALSE(has_arrived(crowded, {1.3, 0}, config)) << "an obstacle without WAIT does not count";
+  crowded.robot_near = true;
+  EXPECT_TRUE(has_arrived(crowded, {1.3, 0}, config));
+  EXPECT_FALSE(has_arrived(crowded, {1.6, 0}, config));
+}
+
+}  // namespace
+}  // namespace caravan::agent

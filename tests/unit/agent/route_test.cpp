@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/path/route.hpp"
+
+#include <gmock/gmock.h>
+
+namespace caravan::agent {
+namespace {
+
+const Path kBowed = {{0, 0}, {1, 2}, {2, 3}, {3, 2}, {4, 0}, {6, 0}, {8, 0}};
+
+/// Moves along the route's goals until it has come to the end or `steps` are over.
+Point drive(Route& route, Point p, int steps) {
+  for (int i = 0; i < steps && (p - route.end()).norm() > 0.3; ++i) {
+    (void)route.advance(p);
+    const Point to = route.goal(p) - p;
+    if (to.norm() > 1e-9) p += std::min(0.05, to.norm()) * to.normalized();
+  }
+  return p;
+}
+
+TEST(Route, IsFollowedToItsEndInBothDirections) {
+  Route out{kBowed, true, {0, 0}};
+  EXPECT_LT((drive(out, {0, 0}, 1000) - Point{8, 0}).norm(), 0.31);
+  Route back{kBowed, false, {8, 0}};
+  EXPECT_LT((drive(back, {8, 0}, 1000) - Point{0, 0}).norm(), 0.31);
+}
+
+TEST(Route, AShortcutIsProvisionalUntilDrivenAndOnlyTheDrivenPathIsGiven) {
+  Route route{kBowed, true, {0, 0}};
+  route.shorten({0, 0}, 4, 1.0);
+  EXPECT_TRUE(route.is_provisional());
+  EXPECT_EQ(route.driven(), kBowed);
+  Point p = drive(route, {0, 0}, 40);
+  EXPECT_EQ(route.driven(), kBowed);
+  p = drive(route, p, 60);
+  EXPECT_FALSE(route.is_provisional());
+  EXPECT_NEAR(length_m(route.driven()), 8.0, 1e-6);
+}
+
+TEST(Route, ABlockedShortcutGivesTheOldSectionBackAndTheRobotReturnsToIt) {
+  Route route{kBowed, true, {0, 0}};
+  route.shorten({0, 0}, 4, 1.0);
+  Point p = drive(route, {0, 0}, 30);
+  EXPECT_NEAR(p.x(), 1.5, 0.1);
+  const Route::Ends blocked = route.restore(p);
+  EXPECT_EQ(blocked.from, (Point{0, 0}));
+  EXPECT_EQ(blocked.to, (Point{4, 0}));
+  EXPECT_FALSE(route.is_provisional());
+  EXPECT_EQ(route.plan(), kBowed);
+  EXPECT_TRUE(route.is_rejoining());
+  double highest = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    p = drive(route, p, 1);
+    highest = std::max(highest, p.y());
+  }
+  EXPECT_GT(highest, 2.5) << "it went round by the old section";
+  EXPECT_LT((p - Point{8, 0}).norm(), 0.31);
+}
+
+TEST(Route, AShortcutOnAShortcutIsGivenUpAsAWhole) {
+  const Path bow = {{0, 0}, {1, 2}, {2, 3}, {3, 2}, {4, 0}, {5, -2}, {6, -3}, {7, -2}, {8, 0}, {12, 0}};
+  Route route{bow, true, {0, 0}};
+  route.shorten({0, 0}, 4, 1.0);
+  Point p = drive(route, {0, 0}, 50);
+  route.shorten(p, route.plan().size() - 2, 1.0);
+  p = drive(route, p, 40);
+  EXPECT_EQ(route.driven(), bow);
+  EXPECT_EQ(route.restore(p).to, (Point{8, 0}));
+  EXPECT_EQ(route.plan(), bow);
+}
+
+TEST(Route, AShortcutOnTheWayBackShortensTheSamePath) {
+  Route route{kBowed, false, {4, 0}};
+  route.shorten({4, 0}, route.plan().size() - 1, 1.0);
+  Point p = drive(route, {4, 0}, 1000);
+  route.turn_round(p);
+  EXPECT_NEAR(length_m(route.driven()), 8.0, 1e-6);
+  EXPECT_EQ(route.driven().front(), (Point{0, 0}));
+  EXPECT_EQ(route.driven().back(), (Point{8, 0}));
+  EXPECT_TRUE(route.towards_destination());
+}
+
+TEST(Route, ABetterPathIsTakenWhereTheOldOneMeetsIt) {
+  const Path upper = {{0, 0}, {0, 4}, {4, 4}, {8, 4}, {8, 0}};
+  const Path merged = {{0, 0}, {4, 0}, {8, 0}};
+  Route route{upper, true, {0, 0}};
+  Point p = drive(route, {0, 0}, 120);  // on its way along the upper path
+  route.replace(merged, p);
+  EXPECT_EQ(route.driven(), merged);
+  for (int i = 0; i < 600; ++i) {
+    p = drive(route, p, 1);
+    EXPECT_LT(project(upper, p).distance_m, 0.4) << "it stays on the path that it knows";
+  }
+  EXPECT_LT((p - Point{8, 0}).norm(), 0.31);
+}
+
+TEST(Route, ARobotThatWanderedPicksThePathUpWhereItIsNearest) {
+  Route route{kBowed, true, {0, 0}};
+  route.shorten({0, 0}, 4, 1.0);
+  route.rejoin({6.2, 1.5});
+  EXPECT_FALSE(route.is_provisional());
+  EXPECT_EQ(route.plan(), kBowed);
+  EXPECT_NEAR(route.remaining_m({6.2, 1.5}), std::hypot(1.8, 1.5), 1e-6);
+}
+
+}  // namespace
+}  // namespace caravan::agent
