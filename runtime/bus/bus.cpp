@@ -64,10 +64,10 @@ class DiscoveryListener final : public dds::DomainParticipantListener {
     if (gone) known_.erase(id);
   }
 
-  void on_publisher_discovery(dds::DomainParticipant* /*participant*/,
-                              rtps::WriterDiscoveryInfo&& found) override {
+  void on_publisher_discovery(dds::DomainParticipant* own, rtps::WriterDiscoveryInfo&& found) override {
     using Info = rtps::WriterDiscoveryInfo;
     if (found.status != Info::DISCOVERED_WRITER && found.status != Info::REMOVED_WRITER) return;
+    if (found.info.guid().guidPrefix == own->guid().guidPrefix) return;
     const ParticipantId id = to_id(found.info.guid().guidPrefix);
     const std::lock_guard lock{mutex_};
     const auto known = known_.find(id);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "idl/stamp.hpp"
+#include "runtime/process/run_process.hpp"
 #include "runtime/pure/digest.hpp"
 #include "runtime/pure/hash_chain.hpp"
 #include "world_server/referee/sanitise.hpp"
