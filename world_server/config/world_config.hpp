@@ -13,7 +13,7 @@ namespace caravan::world {
 /// `[world]`, with the shared tables that it rests on.
 struct WorldConfig {
   double step_s = 0.032;                      ///< simulated time of one step
-  std::uint32_t substeps = 4;                 ///< physics steps in it
+  std::uint32_t substeps = 2;                 ///< physics steps in it
   std::array<double, 2> arena_m{50.0, 50.0};  ///< inner size, centred on the origin of W
   double wall_height_m = 1.0;
   std::array<double, 2> start_low_m{};  ///< start area, its corners

@@ -9,6 +9,8 @@ namespace {
 
 Point next_of(std::span<const Point> polygon, std::size_t i) { return polygon[(i + 1) % polygon.size()]; }
 
+constexpr double kTipThickness = 0.03;
+
 /// Do the closed segments ab and cd share a point?
 bool meet(Point a, Point b, Point c, Point d) {
   const double abc = cross(b - a, c - a);
@@ -23,12 +25,22 @@ bool meet(Point a, Point b, Point c, Point d) {
          distance_to_segment(c, a, b) == 0.0 || distance_to_segment(d, a, b) == 0.0;
 }
 
-/// How much a ring box is cut short at a corner between the directions `in` and `out` of its edges (unit).
-double cut_at(Point in, Point out) {
+/// How much a box of this thickness is cut short at a corner between the directions `in` and `out` of its
+/// edges (unit).
+double cut_at(Point in, Point out, double thickness) {
   const bool convex = cross(in, out) > 0.0;
   const double back = -dot(in, out);  // cosine of the corner's inner angle
   if (!convex || back <= 0.0) return 0.0;
-  return kRingThickness * back / std::max(cross(in, out), 1e-9);
+  return thickness * back / std::max(cross(in, out), 1e-9);
+}
+
+Box box_on_edge(Point begin, Point along, double from, double to, double thickness, double height_m) {
+  const Point inward{-along.y, along.x};
+  const Point centre = begin + 0.5 * (from + to) * along + 0.5 * thickness * inward;
+  return {.centre_m = {centre.x, centre.y},
+          .size_m = {to - from, thickness},
+          .yaw_rad = std::atan2(along.y, along.x),
+          .height_m = height_m};
 }
 
 }  // namespace
@@ -104,15 +116,15 @@ std::vector<Box> ring_of_boxes(const Outline& outline) {
   std::vector<Box> ring;
   for (std::size_t i = 0; i < n; ++i) {
     const Point along = directions[i];
-    const Point inward{-along.y, along.x};
-    const double from = cut_at(directions[(i + n - 1) % n], along);
-    const double to = length(next_of(polygon, i) - polygon[i]) - cut_at(along, directions[(i + 1) % n]);
-    if (to <= from) continue;  // the neighbours' boxes fill this edge
-    const Point centre = polygon[i] + 0.5 * (from + to) * along + 0.5 * kRingThickness * inward;
-    ring.push_back({.centre_m = {centre.x, centre.y},
-                    .size_m = {to - from, kRingThickness},
-                    .yaw_rad = std::atan2(along.y, along.x),
-                    .height_m = outline.height_m});
+    const double whole = length(next_of(polygon, i) - polygon[i]);
+    for (const double thickness : {kRingThickness, kTipThickness}) {
+      const double from = cut_at(directions[(i + n - 1) % n], along, thickness);
+      const double to = whole - cut_at(along, directions[(i + 1) % n], thickness);
+      const bool is_acute = from > 0.0 || to < whole;
+      if (to > from && (thickness == kRingThickness || is_acute)) {
+        ring.push_back(box_on_edge(polygon[i], along, from, to, thickness, outline.height_m));
+      }
+    }
   }
   return ring;
 }

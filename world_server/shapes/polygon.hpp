@@ -34,8 +34,8 @@ inline constexpr double kRingThickness = 0.2;
 
 /// An outline as physics knows it: one box inside each edge, their outer faces on the edges.
 ///
-/// At an acute corner the two boxes are cut short where they would stick out of the other edge, so the very
-/// tip has no body. The ring is hollow; nothing gets in because its boxes touch at every vertex.
+/// At an acute corner the boxes are cut short where they would stick out of the other edge; a thinner pair
+/// goes on nearly to the tip. The ring is hollow; nothing gets in because its boxes touch at every vertex.
 /// @pre the outline is simple
 [[nodiscard]] std::vector<Box> ring_of_boxes(const Outline& outline);
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "world_server/config/world_config.hpp"
+#include "world_server/types.hpp"
+
+namespace caravan::world {
+
+/// Two bodies that touched. Robots are numbered from 1.
+struct Touch {
+  std::uint32_t robot = 0;
+  std::uint32_t other = 0;  ///< a higher robot, or 0: something static. The floor does not count.
+  auto operator<=>(const Touch&) const = default;
+};
+
+/// How far a body is from standing upright on the floor.
+struct Stance {
+  double tilt_rad = 0.0;  ///< of its vertical axis
+  double lift_m = 0.0;    ///< of its base above the floor; below it when negative
+};
+
+/// The rigid bodies of a world: robots on two driven wheels and a caster, and everything static.
+///
+/// Deterministic: equal configurations, starts and commands give equal bits on one machine type, whatever
+/// else runs in the process. Robots are indexed from 0 here.
+class Dynamics {
+ public:
+  Dynamics(const WorldConfig& config, std::span<const Pose> starts);
+  ~Dynamics();
+  Dynamics(Dynamics&&) noexcept;
+  Dynamics& operator=(Dynamics&&) noexcept;
+
+  /// Rim speeds that the wheel motors hold from now on, as far as their torque allows.
+  void drive(std::size_t robot, double left_mps, double right_mps);
+  /// Takes the motors off the wheels, or puts them back.
+  void free_wheels(std::size_t robot, bool free);
+  /// A force at the centre of mass along the heading, for the whole of the next step.
+  void push(std::size_t robot, double force_n);
+
+  /// One step of config.step_s.
+  void advance();
+
+  [[nodiscard]] std::span<const Pose> poses() const;
+  [[nodiscard]] double left_wheel_rad(std::size_t robot) const;
+  [[nodiscard]] double right_wheel_rad(std::size_t robot) const;
+  [[nodiscard]] Stance stance(std::size_t robot) const;
+  /// During the last step: sorted, each pair once.
+  [[nodiscard]] std::span<const Touch> touches() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace caravan::world

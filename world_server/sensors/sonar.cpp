@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world_server/sensors/sonar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace caravan::world {
+namespace {
+
+constexpr double kNoEcho = std::numeric_limits<double>::infinity();
+
+/// Of the farthest transducer from the base.
+double mount_radius() {
+  double radius = 0.0;
+  for (const SonarMount& mount : sonar_mounts()) radius = std::max(radius, length(mount.place));
+  return radius;
+}
+
+Point turned(Point a, Point by) { return {a.x * by.x - a.y * by.y, a.x * by.y + a.y * by.x}; }
+
+std::vector<Solid> solids_of(const WorldConfig& config) {
+  std::vector<Solid> solids;
+  for (const Box& wall : arena_walls(config.arena_m, config.wall_height_m)) solids.push_back(to_solid(wall));
+  for (const Box& box : config.boxes) solids.push_back(to_solid(box));
+  for (const Outline& outline : config.outlines) solids.push_back(to_solid(outline));
+  for (const Cylinder& cylinder : config.cylinders) solids.push_back(to_solid(cylinder));
+  return solids;
+}
+
+}  // namespace
+
+Sonars::Sonars(const WorldConfig& config)
+    : sonar_{config.robots.sonar},
+      body_low_{config.robots.body_ahead_m - config.robots.body_length_m, -0.5 * config.robots.body_width_m},
+      body_high_{config.robots.body_ahead_m, 0.5 * config.robots.body_width_m},
+      body_height_{config.robots.body_height_m},
+      rays_{sonar_rays(config.robots.sonar)},
+      echo_cosine_{std::cos(config.robots.sonar.reflection_rad)},
+      left_edge_{std::cos(0.5 * sonar_.aperture_rad), std::sin(0.5 * sonar_.aperture_rad)},
+      solids_{solids_of(config)} {
+  for (const Solid& solid : solids_) add_sides(solid, faces_, discs_);
+  for (const Ray& ray : rays_) floor_echoes_ = floor_echoes_ || -ray.up > echo_cosine_;
+  const double reach = sonar_.range_m + mount_radius();
+  std::vector<Extent> extents;
+  for (const Solid& solid : solids_) extents.push_back(extent_of(solid));
+  solid_map_ = std::make_unique<ReachMap>(config.arena_m, extents, reach);
+  extents.clear();
+  for (const Face& face : faces_) {
+    extents.push_back(extent_of({{face.begin, face.begin + face.length * face.along}, {}, 0.0, 0.0}));
+  }
+  face_map_ = std::make_unique<ReachMap>(config.arena_m, extents, reach);
+  extents.clear();
+  for (const Disc& disc : discs_) extents.push_back(extent_of({{}, disc.centre, disc.radius, 0.0}));
+  disc_map_ = std::make_unique<ReachMap>(config.arena_m, extents, reach);
+}
+
+void Sonars::add_sides(const Solid& solid, std::vector<Face>& faces, std::vector<Disc>& discs) {
+  if (solid.outline.empty()) {
+    discs.push_back({solid.centre, solid.radius, solid.height});
+    return;
+  }
+  for (std::size_t i = 0; i < solid.outline.size(); ++i) {
+    const Point begin = solid.outline[i];
+    const Point side = solid.outline[(i + 1) % solid.outline.size()] - begin;
+    const double long_ = length(side);
+    faces.push_back({begin, (1.0 / long_) * side, long_, solid.height});
+  }
+}
+
+Solid Sonars::body_of(const Pose& pose) const {
+  const double cosine = std::cos(pose.yaw_rad);
+  const double sine = std::sin(pose.yaw_rad);
+  const Point base{pose.x_m, pose.y_m};
+  return {.outline = {placed(body_high_, base, cosine, sine),
+                      placed({body_low_.x, body_high_.y}, base, cosine, sine),
+                      placed(body_low_, base, cosine, sine),
+                      placed({body_high_.x, body_low_.y}, base, cosine, sine)},
+          .centre = {},
+          .radius = 0.0,
+          .height = body_height_};
+}
+
+void Sonars::place(std::span<const Pose> poses) {
+  poses_.assign(poses.begin(), poses.end());
+  std::vector<Point> points;
+  for (const Pose& pose : poses) points.push_back({pose.x_m, pose.y_m});
+  const double body = std::max(length(body_low_), length(body_high_));
+  neighbours_.rebuild(points, sonar_.range_m + mount_radius() + body);
+}
+
+void Sonars::gather(std::size_t robot) {
+  const Point base{poses_[robot].x_m, poses_[robot].y_m};
+  const double mounts = mount_radius();
+  around_ = {};
+  for (const std::uint32_t i : face_map_->near(base)) around_.faces.push_back(faces_[i]);
+  for (const std::uint32_t i : disc_map_->near(base)) around_.discs.push_back(discs_[i]);
+  bodies_.clear();
+  neighbours_.near(base, others_);
+  for (const std::uint32_t other : others_) {
+    if (other != robot) bodies_.push_back(body_of(poses_[other]));
+  }
+  const auto look_at = [&](const Solid& solid) {
+    if (solid.height < kSonarHeight) around_.low.push_back(&solid);
+    if (distance_to(solid, base) <= mounts) around_.close.push_back(&solid);
+  };
+  for (const std::uint32_t i : solid_map_->near(base)) look_at(solids_[i]);
+  for (const Solid& body : bodies_) {
+    add_sides(body, around_.faces, around_.discs);
+    look_at(body);
+  }
+}
+
+/// Keeps in `ahead_` what the cone of a transducer may meet: facing it, in range, and not wholly to one side.
+void Sonars::narrow(Point from, Point axis) {
+  const Point left = turned(axis, left_edge_);
+  const Point right = turned(axis, {left_edge_.x, -left_edge_.y});
+  ahead_.faces.clear();
+  ahead_.discs.clear();
+  for (const Face& face : around_.faces) {
+    const Point a = face.begin - from;
+    const double before = cross(a, face.along);  // distance of `from` in front of the face
+    if (before <= 0.0 || before > sonar_.range_m) continue;
+    const Point b = a + face.length * face.along;
+    if (cross(left, a) > 0.0 && cross(left, b) > 0.0) continue;
+    if (cross(right, a) < 0.0 && cross(right, b) < 0.0) continue;
+    if (dot(axis, a) < 0.0 && dot(axis, b) < 0.0) continue;
+    ahead_.faces.push_back(face);
+  }
+  for (const Disc& disc : around_.discs) {
+    const Point centre = disc.centre - from;
+    if (cross(left, centre) > disc.radius || cross(right, centre) < -disc.radius) continue;
+    if (dot(axis, centre) < -disc.radius || length(centre) > sonar_.range_m + disc.radius) continue;
+    ahead_.discs.push_back(disc);
+  }
+}
+
+Sonars::Hit Sonars::cast(Point from, Ray ray) const {
+  Hit hit{.distance = kNoEcho};
+  if (ray.up < 0.0) hit = {.distance = kSonarHeight / -ray.up, .cosine = -ray.up};
+  for (const Face& face : ahead_.faces) {
+    const double inwards = cross(face.along, ray.flat);
+    if (inwards <= 0.0) continue;
+    const Point to = face.begin - from;
+    const double distance = cross(to, face.along) / inwards;
+    if (distance < 0.0 || distance >= hit.distance || kSonarHeight + distance * ray.up > face.height)
+      continue;
+    const double along = dot(distance * ray.flat - to, face.along);
+    if (along >= 0.0 && along <= face.length) hit = {distance, inwards};
+  }
+  for (const Disc& disc : ahead_.discs) {
+    const Point to = disc.centre - from;
+    const double square = dot(ray.flat, ray.flat);
+    const double half = dot(to, ray.flat);
+    const double root = half * half - square * (dot(to, to) - disc.radius * disc.radius);
+    if (root < 0.0) continue;
+    const double distance = (half - std::sqrt(root)) / square;
+    if (distance < 0.0 || distance >= hit.distance || kSonarHeight + distance * ray.up > disc.height)
+      continue;
+    hit = {distance, dot(to - distance * ray.flat, ray.flat) / disc.radius};
+  }
+  if (ray.up >= 0.0) return hit;
+  for (const Solid* solid : around_.low) {
+    const double distance = (kSonarHeight - solid->height) / -ray.up;
+    if (distance < hit.distance && contains(*solid, from + distance * ray.flat)) hit = {distance, -ray.up};
+  }
+  return hit;
+}
+
+double Sonars::listen(Point from, Point axis) {
+  for (const Solid* solid : around_.close) {
+    if (solid->height >= kSonarHeight && contains(*solid, from)) return 0.0;
+  }
+  narrow(from, axis);
+  if (ahead_.faces.empty() && ahead_.discs.empty() && !floor_echoes_) return kNoEcho;
+  double nearest = kNoEcho;
+  for (const Ray& ray : rays_) {
+    const Hit hit = cast(from, {turned(ray.flat, axis), ray.up});
+    if (hit.distance <= sonar_.range_m && hit.cosine > echo_cosine_)
+      nearest = std::min(nearest, hit.distance);
+  }
+  return nearest;
+}
+
+std::array<double, kSonarCount> Sonars::ranges(std::size_t robot) {
+  gather(robot);
+  const Pose& pose = poses_[robot];
+  const Point heading{std::cos(pose.yaw_rad), std::sin(pose.yaw_rad)};
+  std::array<double, kSonarCount> result{};
+  for (std::size_t i = 0; i < kSonarCount; ++i) {
+    const SonarMount& mount = sonar_mounts()[i];
+    const Point from = placed(mount.place, {pose.x_m, pose.y_m}, heading.x, heading.y);
+    const Point axis = turned(heading, {std::cos(mount.heading_rad), std::sin(mount.heading_rad)});
+    result[i] = listen(from, axis);
+  }
+  return result;
+}
+
+}  // namespace caravan::world

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "world_server/config/world_config.hpp"
+#include "world_server/sensors/sonar_fan.hpp"
+#include "world_server/shapes/neighbours.hpp"
+#include "world_server/shapes/reach_map.hpp"
+
+namespace caravan::world {
+
+/// What all sonars of a fleet hear in a world of upright solids on a floor.
+///
+/// Each ray ends at the nearest surface, the floor included. It brings an echo when the angle between it and
+/// the inward normal of that surface is below reflection_rad, otherwise it is lost. A transducer's range is
+/// the nearest echo of its rays within range_m, +inf when there is none, 0 when it is inside something. A
+/// robot never hears its own body. Other robots are upright boxes from the floor to body_height_m.
+class Sonars {
+ public:
+  explicit Sonars(const WorldConfig& config);
+
+  /// Where the robots are now. To be called before `ranges` whenever they have moved.
+  void place(std::span<const Pose> poses);
+
+  /// The ranges of one robot (index from 0), without noise.
+  [[nodiscard]] std::array<double, kSonarCount> ranges(std::size_t robot);
+
+ private:
+  /// One upright side of a solid, which lies to the left of it.
+  struct Face {
+    Point begin;
+    Point along;  // unit
+    double length = 0.0;
+    double height = 0.0;
+  };
+  struct Disc {
+    Point centre;
+    double radius = 0.0;
+    double height = 0.0;
+  };
+  /// What may matter to one robot, or to one of its transducers.
+  struct Nearby {
+    std::vector<Face> faces;
+    std::vector<Disc> discs;
+    std::vector<const Solid*> low;    // whose tops lie below the transducers
+    std::vector<const Solid*> close;  // that a transducer may be inside of
+  };
+  struct Hit {
+    double distance = 0.0;
+    double cosine = -1.0;  // between ray and inward normal
+  };
+
+  static void add_sides(const Solid& solid, std::vector<Face>& faces, std::vector<Disc>& discs);
+  [[nodiscard]] Solid body_of(const Pose& pose) const;
+  void gather(std::size_t robot);
+  void narrow(Point from, Point axis);
+  [[nodiscard]] double listen(Point from, Point axis);
+  [[nodiscard]] Hit cast(Point from, Ray ray) const;
+
+  runtime::SonarTable sonar_;
+  Point body_low_;  // the hull in frame B
+  Point body_high_;
+  double body_height_ = 0.0;
+  std::vector<Ray> rays_;
+  double echo_cosine_;
+  bool floor_echoes_ = false;
+  Point left_edge_;  // of the cone, in the transducer's frame
+
+  std::vector<Solid> solids_;  // static
+  std::vector<Face> faces_;
+  std::vector<Disc> discs_;
+  std::unique_ptr<ReachMap> solid_map_;
+  std::unique_ptr<ReachMap> face_map_;
+  std::unique_ptr<ReachMap> disc_map_;
+
+  std::vector<Pose> poses_;
+  Neighbours neighbours_;
+  // Scratch of the robot and the transducer at hand.
+  std::vector<std::uint32_t> others_;
+  std::vector<Solid> bodies_;
+  Nearby around_;
+  Nearby ahead_;
+};
+
+}  // namespace caravan::world

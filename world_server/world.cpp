@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world_server/world.hpp"
+
+#include <cmath>
+
+#include "runtime/pure/assert.hpp"
+#include "runtime/pure/hash_chain.hpp"
+#include "world_server/physics/dynamics.hpp"
+#include "world_server/referee/contact_episodes.hpp"
+#include "world_server/referee/items.hpp"
+#include "world_server/sensors/devices.hpp"
+#include "world_server/sensors/sonar.hpp"
+#include "world_server/starts/starts.hpp"
+
+namespace caravan::world {
+namespace {
+
+Time seconds(double value) { return Time{std::llround(value * 1e9)}; }
+
+ItemRules item_rules(const WorldConfig& config) {
+  return {.source = to_point(config.robots.source_m),
+          .destination = to_point(config.robots.destination_m),
+          .service_radius_m = config.robots.service_radius_m,
+          .items = config.experiment.items};
+}
+
+}  // namespace
+
+struct World::Impl {
+  explicit Impl(const WorldConfig& config)
+      : count{config.robots.count},
+        period{seconds(config.step_s)},
+        max_time{seconds(config.experiment.max_time_s)},
+        dynamics{config, choose_starts(config)},
+        sonars{config},
+        items{item_rules(config), count} {
+    for (std::uint32_t robot = 1; robot <= count; ++robot)
+      devices.emplace_back(config.robots, config.seed, robot);
+    sonars.place(dynamics.poses());
+  }
+
+  void obey(std::uint32_t robot, const std::optional<Command>& command) {
+    const Command done = command.value_or(
+        Command{.left_mps = 0.0, .right_mps = 0.0, .gripper_closed = items.is_closed(robot)});
+    const auto event = items.grip(robot, dynamics.poses()[robot - 1], done.gripper_closed);
+    if (event) item_events.push_back(*event);
+    dynamics.drive(robot - 1, done.left_mps, done.right_mps);
+    chain.word(command.has_value() ? 1 : 0);
+    chain.real(done.left_mps);
+    chain.real(done.right_mps);
+    chain.word(done.gripper_closed ? 1 : 0);
+  }
+
+  void referee() {
+    touching.clear();
+    for (const Touch& touch : dynamics.touches()) touching.push_back({touch.robot, touch.other});
+    begun = contacts.begun(now(), touching);
+  }
+
+  void link_poses() {
+    for (const Pose& pose : dynamics.poses()) {
+      chain.real(pose.x_m);
+      chain.real(pose.y_m);
+      chain.real(pose.yaw_rad);
+    }
+  }
+
+  [[nodiscard]] Time now() const { return static_cast<Time::rep>(step) * period; }
+
+  std::uint32_t count;
+  Time period;
+  Time max_time;
+  std::uint64_t step = 0;
+  Dynamics dynamics;
+  Sonars sonars;
+  std::vector<Devices> devices;  // by robot
+  Items items;
+  ContactEpisodes contacts;
+  pure::HashChain chain;
+  std::vector<ItemEvent> item_events;
+  std::vector<ContactEpisode> touching;
+  std::vector<ContactEpisode> begun;
+};
+
+World::World(const WorldConfig& config) : impl_{std::make_unique<Impl>(config)} {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+Senses World::sense(std::uint32_t robot) {
+  CARAVAN_ASSERT(robot >= 1 && robot <= impl_->count);
+  const std::size_t index = robot - 1;
+  Devices& devices = impl_->devices[index];
+  const Pose seen = devices.locate(impl_->dynamics.poses()[index]);
+  Senses senses;
+  senses.sonar_range_m = devices.sonar(impl_->sonars.ranges(index));
+  senses.gps_x_m = seen.x_m;
+  senses.gps_y_m = seen.y_m;
+  senses.compass_yaw_rad = seen.yaw_rad;
+  senses.left_wheel_rad = impl_->dynamics.left_wheel_rad(index);
+  senses.right_wheel_rad = impl_->dynamics.right_wheel_rad(index);
+  senses.holding = impl_->items.holds(robot);
+  return senses;
+}
+
+std::span<const Pose> World::poses() const { return impl_->dynamics.poses(); }
+
+void World::advance(std::span<const std::optional<Command>> commands) {
+  CARAVAN_ASSERT(commands.size() == impl_->count);
+  impl_->item_events.clear();
+  impl_->chain.word(++impl_->step);
+  for (std::uint32_t robot = 1; robot <= impl_->count; ++robot) impl_->obey(robot, commands[robot - 1]);
+  impl_->dynamics.advance();
+  impl_->link_poses();
+  impl_->sonars.place(impl_->dynamics.poses());
+  impl_->referee();
+}
+
+std::uint64_t World::step() const { return impl_->step; }
+Time World::now() const { return impl_->now(); }
+std::span<const ContactEpisode> World::contacts() const { return impl_->begun; }
+std::span<const ItemEvent> World::item_events() const { return impl_->item_events; }
+std::uint32_t World::items_delivered() const { return impl_->items.delivered(); }
+std::uint64_t World::empty_closings() const { return impl_->items.empty_closings(); }
+bool World::finished() const { return impl_->items.all_delivered() || impl_->now() >= impl_->max_time; }
+std::uint64_t World::chain() const { return impl_->chain.value(); }
+
+}  // namespace caravan::world
