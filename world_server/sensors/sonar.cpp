@@ -119,7 +119,7 @@ void Sonars::narrow(Point from, Point axis) {
   ahead_.discs.clear();
   for (const Face& face : around_.faces) {
     const Point a = face.begin - from;
-    const double before = cross(a, face.along);  // distance of `from` in front of the face
+    const double before = cross(face.along, a);  // distance of `from` in front of the face
     if (before <= 0.0 || before > sonar_.range_m) continue;
     const Point b = a + face.length * face.along;
     if (cross(left, a) > 0.0 && cross(left, b) > 0.0) continue;
@@ -142,7 +142,7 @@ Sonars::Hit Sonars::cast(Point from, Ray ray) const {
     const double inwards = cross(face.along, ray.flat);
     if (inwards <= 0.0) continue;
     const Point to = face.begin - from;
-    const double distance = cross(to, face.along) / inwards;
+    const double distance = cross(face.along, to) / inwards;
     if (distance < 0.0 || distance >= hit.distance || kSonarHeight + distance * ray.up > face.height)
       continue;
     const double along = dot(distance * ray.flat - to, face.along);
