@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "idl/stamp.hpp"
+#include "robotPubSubTypes.h"
+#include "runtime/bus/bus.hpp"
+#include "tests/system/support/process.hpp"
+#include "worldPubSubTypes.h"
+
+/// The test itself on the bus, in the place of one of the processes.
+namespace caravan::test {
+
+inline constexpr std::chrono::milliseconds kPatience{20'000};
+
+/// Collects the samples of one topic.
+template <typename PubSubType>
+class Collector {
+ public:
+  using Sample = typename PubSubType::type;
+
+  Collector(runtime::Bus& bus, const idl::Topic& topic, std::uint32_t robot = 0) {
+    bus.reader<PubSubType>(topic, robot, [this](const Sample& sample, const runtime::ParticipantId&) {
+      const std::lock_guard lock{mutex_};
+      samples_.push_back(sample);
+    });
+  }
+  [[nodiscard]] std::vector<Sample> samples() const {
+    const std::lock_guard lock{mutex_};
+    return samples_;
+  }
+  /// The first sample for which `wanted(sample)` holds, none within `kPatience`.
+  template <typename Wanted>
+  [[nodiscard]] std::optional<Sample> first(Wanted wanted) const {
+    std::optional<Sample> found;
+    (void)eventually(
+        [&] {
+          for (const Sample& sample : samples()) {
+            if (wanted(sample)) found = sample;
+            if (found) return true;
+          }
+          return false;
+        },
+        kPatience);
+    return found;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<Sample> samples_;
+};
+
+}  // namespace caravan::test

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace caravan::test {
+
+/// One of our programs as a user starts it; killed when this goes out of scope.
+class Process {
+ public:
+  /// @param arguments  the first is the program's name in the folder of binaries
+  /// @param log        receives its output and errors
+  Process(std::vector<std::string> arguments, std::filesystem::path log);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  [[nodiscard]] pid_t pid() const { return pid_; }
+  /// The exit code (128 + n for signal n), none when it still runs after `patience`.
+  [[nodiscard]] std::optional<int> wait(std::chrono::milliseconds patience);
+  void signal(int number) const;
+  /// What it has printed so far.
+  [[nodiscard]] std::string output() const;
+  /// Whether `text` appears in its output within `patience`.
+  [[nodiscard]] bool prints(const std::string& text, std::chrono::milliseconds patience) const;
+  /// Processor time used so far.
+  [[nodiscard]] std::chrono::milliseconds cpu_time() const;
+
+ private:
+  pid_t pid_ = -1;
+  std::filesystem::path log_;
+  std::optional<int> exit_code_;
+};
+
+/// Waits until `condition()` holds. @return false when it does not within `patience`
+template <typename Condition>
+[[nodiscard]] bool eventually(Condition condition, std::chrono::milliseconds patience);
+
+/// A folder for one test, removed when the test passed and kept, with its place printed, when it failed.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+[[nodiscard]] std::string read_file(const std::filesystem::path& file);
+void write_file(const std::filesystem::path& file, const std::string& text);
+/// `text` with the first `from` replaced. Fails the test when there is none.
+[[nodiscard]] std::string replaced(std::string text, const std::string& from, const std::string& to);
+/// DDS files in /dev/shm that belong to the domain's ports or to nobody alive.
+[[nodiscard]] std::vector<std::string> left_in_shared_memory(std::uint32_t domain);
+/// Pids of living processes whose command line has `--domain <domain>`.
+[[nodiscard]] std::vector<pid_t> processes_in(std::uint32_t domain);
+[[nodiscard]] std::filesystem::path scenario(const std::string& name);
+
+// ------------------------------------------------------------------------------------------------
+// implementation
+
+bool pause_until_next_look(std::chrono::steady_clock::time_point deadline);
+
+template <typename Condition>
+bool eventually(Condition condition, std::chrono::milliseconds patience) {
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  while (!condition()) {
+    if (!pause_until_next_look(deadline)) return condition();
+  }
+  return true;
+}
+
+}  // namespace caravan::test
