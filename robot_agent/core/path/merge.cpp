@@ -159,6 +159,7 @@ Path merge(const Path& own, const Path& other) {
   if (own.size() < 2 || other.size() < 2) return snapped(own.size() < 2 ? other : own);
   Path shorter = snapped(own);
   Path longer = snapped(other);
+  if (shorter == longer) return shorter;
   if (comes_first(longer, shorter)) std::swap(shorter, longer);
   if (!ends_meet(shorter, longer)) return shorter;
   const auto meetings = intersections(shorter, longer, kMostIntersections);
