@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "runtime/pure/random.hpp"
+#include "tests/fuzz/targets.hpp"
+
+namespace caravan::agent::fuzz {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+std::vector<Bytes> corpus(const std::string& name) {
+  std::vector<Bytes> inputs;
+  for (const auto& entry :
+       std::filesystem::directory_iterator{CARAVAN_SOURCE_DIR "/tests/fuzz/corpus/" + name}) {
+    std::ifstream file{entry.path(), std::ios::binary};
+    inputs.emplace_back(std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{});
+  }
+  std::sort(inputs.begin(), inputs.end());
+  return inputs;
+}
+
+/// A few bytes changed, cut off, doubled: what a fuzzer does, without one.
+Bytes mutated(Bytes bytes, pure::Random& random) {
+  const auto below = [&random](std::size_t limit) {
+    return static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(limit)));
+  };
+  for (std::size_t changes = 1 + below(4); changes > 0 && !bytes.empty(); --changes) {
+    const std::size_t place = below(bytes.size());
+    const double what = random.unit();
+    if (what < 0.6) {
+      bytes[place] = static_cast<std::uint8_t>(random.word());
+    } else if (what < 0.7) {
+      bytes.resize(place);
+    } else if (what < 0.9) {
+      bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(place),
+                   static_cast<std::uint8_t>(random.word()));
+    } else {
+      const Bytes copy = bytes;
+      bytes.insert(bytes.end(), copy.begin(), copy.end());
+    }
+  }
+  return bytes;
+}
+
+void replay(const std::string& name, void (*target)(std::span<const std::uint8_t>), std::uint64_t seeds) {
+  const std::vector<Bytes> inputs = corpus(name);
+  ASSERT_FALSE(inputs.empty());
+  for (const Bytes& input : inputs) target(input);
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    pure::Random random{seed};
+    for (const Bytes& input : inputs) target(mutated(input, random));
+  }
+}
+
+TEST(FuzzReplay, WhateverDecodesEncodesToTheSameBytes) { replay("codec", codec, 2000); }
+
+TEST(FuzzReplay, ARobotSurvivesAnyFrames) { replay("communication", communication, 500); }
+
+}  // namespace
+}  // namespace caravan::agent::fuzz
