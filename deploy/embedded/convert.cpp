@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "world_server/referee/sanitise.hpp"
+
 namespace caravan::deploy {
 namespace {
 
@@ -56,10 +58,10 @@ agent::Sensors to_sensors(const world::Senses& senses) {
           .holding = senses.holding};
 }
 
-world::Command to_command(const agent::Outputs& outputs) {
-  return {.left_mps = outputs.wheels.left_mps,
-          .right_mps = outputs.wheels.right_mps,
-          .gripper_closed = outputs.gripper_closed};
+world::Command to_command(const agent::Outputs& outputs, double wheel_limit_mps) {
+  const world::Sanitised safe =
+      world::sanitise(outputs.wheels.left_mps, outputs.wheels.right_mps, wheel_limit_mps);
+  return {.left_mps = safe.left_mps, .right_mps = safe.right_mps, .gripper_closed = outputs.gripper_closed};
 }
 
 radio::Transmission to_transmission(std::uint32_t robot, agent::Outputs& outputs) {

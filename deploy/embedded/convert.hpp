@@ -12,7 +12,8 @@
 namespace caravan::deploy {
 
 [[nodiscard]] agent::Sensors to_sensors(const world::Senses& senses);
-[[nodiscard]] world::Command to_command(const agent::Outputs& outputs);
+/// @param wheel_limit_mps  the world's: faster wheels are told to turn that fast, undefined ones to stop
+[[nodiscard]] world::Command to_command(const agent::Outputs& outputs, double wheel_limit_mps);
 /// Takes the frames out of `outputs`.
 [[nodiscard]] radio::Transmission to_transmission(std::uint32_t robot, agent::Outputs& outputs);
 /// Takes the frames out of `reception`.

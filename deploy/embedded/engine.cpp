@@ -15,16 +15,17 @@ namespace caravan::deploy {
 
 Engine::Engine(const runtime::TomlDocument& scenario)
     : world_{world::load_world_config(scenario)}, medium_{radio::load_radio_config(scenario)} {
-  const std::uint32_t robots = runtime::read_robots(scenario).count;
-  for (std::uint32_t robot = 1; robot <= robots; ++robot) {
+  const runtime::RobotsTable robots = runtime::read_robots(scenario);
+  wheel_limit_mps_ = robots.wheel_limit_mps;
+  for (std::uint32_t robot = 1; robot <= robots.count; ++robot) {
     agents_.emplace_back(agent::load_config(scenario, robot));
     observation_.members.push_back(robot);
     observation_.poses.push_back({.robot = robot});
     stations_.push_back({.robot = robot});
   }
-  inputs_.resize(robots);
-  commands_.resize(robots);
-  transmissions_.resize(robots);
+  inputs_.resize(robots.count);
+  commands_.resize(robots.count);
+  transmissions_.resize(robots.count);
 }
 
 const Observation& Engine::step() {
@@ -82,7 +83,7 @@ void Engine::answer() {
     const auto robot = static_cast<std::uint32_t>(i + 1);
     agent::Outputs outputs = agents_[i].step(inputs_[i]);
     inputs_[i].heard.clear();
-    commands_[i] = to_command(outputs);
+    commands_[i] = to_command(outputs, wheel_limit_mps_);
     transmissions_[i] = to_transmission(robot, outputs);
     if (outputs.reports) observation_.agent_reports.push_back(to_report(robot, outputs.report));
   }

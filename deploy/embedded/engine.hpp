@@ -44,6 +44,7 @@ class Engine {
 
   world::World world_;
   radio::MediumConfig medium_;
+  double wheel_limit_mps_ = 0.0;
   std::vector<agent::Agent> agents_;  // [0] is robot 1, as in all that follow
   std::vector<agent::Inputs> inputs_;
   std::vector<std::optional<world::Command>> commands_;

@@ -23,7 +23,7 @@ ALLOWED = {
     "robot_agent/core": [STD, EIGEN, "runtime/pure"],
     "robot_agent/config": [STD, EIGEN, *CONFIG, "robot_agent/core"],
     "robot_agent": [*PROCESS, EIGEN, DDS, ROBOT_TYPES, "robot_agent"],
-    "world_server/physics": [STD, ODE, EIGEN, "runtime/pure", "world_server"],
+    "world_server/physics": [STD, ODE, EIGEN, *CONFIG, "world_server"],
     "world_server/config": [STD, *CONFIG, "world_server"],
     "world_server/shell": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "world_server"],
     "world_server": [STD, EIGEN, *CONFIG, "world_server"],
