@@ -193,10 +193,9 @@ TEST(SonarProperty, EqualsEveryRayAgainstEverySurface) {
 /// ODE's bodies for the same scene, and its answer for one ray.
 class OdeScene {
  public:
-  explicit OdeScene(const std::vector<Solid>& solids, const Scene& scene, std::size_t robot) {
+  OdeScene(const Scene& scene, std::size_t robot) {
     dInitODE2(0);
     dAllocateODEDataForThread(dAllocateMaskAll);
-    static_cast<void>(solids);
     geoms_.push_back(dCreatePlane(nullptr, 0, 0, 1, 0));
     for (const Box& box : arena_walls(scene.config.arena_m, scene.config.wall_height_m)) add(box);
     for (const Box& box : scene.config.boxes) add(box);
@@ -258,13 +257,14 @@ TEST(SonarProperty, AgreesWithTheRaysOfTheRigidBodyLibrary) {
     const Scene scene = random_scene(seed, false);
     for (std::size_t robot = 0; robot < 2; ++robot) {
       const auto solids = solids_around(scene, robot);
-      const OdeScene ode{solids, scene, robot};
+      const OdeScene ode{scene, robot};
       for_each_ray(scene, scene.poses[robot], [&](std::size_t, Point from, const Ray& ray) {
         for (const Solid& solid : solids) {
           if (contains(solid, from)) return;  // ODE's rays see surfaces from inside
         }
         const Meeting ours = nearest(solids, from, ray);
         const Meeting theirs = ode.cast(from, ray);
+        if (std::isinf(ours.distance) && std::isinf(theirs.distance)) return;
         ASSERT_NEAR(ours.distance, theirs.distance, 1e-6);
         ASSERT_NEAR(ours.cosine, theirs.cosine, 1e-6);
         ++compared;
