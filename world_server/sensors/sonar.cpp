@@ -19,6 +19,11 @@ double mount_radius() {
 
 Point turned(Point a, Point by) { return {a.x * by.x - a.y * by.y, a.x * by.y + a.y * by.x}; }
 
+bool is_within(const Extent& extent, Point place, double reach) {
+  return place.x >= extent.low.x - reach && place.x <= extent.high.x + reach &&
+         place.y >= extent.low.y - reach && place.y <= extent.high.y + reach;
+}
+
 std::vector<Solid> solids_of(const WorldConfig& config) {
   std::vector<Solid> solids;
   for (const Box& wall : arena_walls(config.arena_m, config.wall_height_m)) solids.push_back(to_solid(wall));
@@ -40,12 +45,15 @@ Sonars::Sonars(const WorldConfig& config)
       left_edge_{std::cos(0.5 * sonar_.aperture_rad), std::sin(0.5 * sonar_.aperture_rad)},
       solids_{solids_of(config)} {
   for (const Solid& solid : solids_) add_sides(solid, faces_, discs_);
+  for (std::size_t i = 0; i < kSonarCount; ++i) {
+    const SonarMount& mount = sonar_mounts()[i];
+    transducers_[i] = {mount.place, {std::cos(mount.heading_rad), std::sin(mount.heading_rad)}};
+  }
   for (const Ray& ray : rays_) floor_echoes_ = floor_echoes_ || -ray.up > echo_cosine_;
   const double reach = sonar_.range_m + mount_radius();
+  for (const Solid& solid : solids_) extents_.push_back(extent_of(solid));
+  solid_map_ = std::make_unique<ReachMap>(config.arena_m, extents_, reach);
   std::vector<Extent> extents;
-  for (const Solid& solid : solids_) extents.push_back(extent_of(solid));
-  solid_map_ = std::make_unique<ReachMap>(config.arena_m, extents, reach);
-  extents.clear();
   for (const Face& face : faces_) {
     extents.push_back(extent_of({{face.begin, face.begin + face.length * face.along}, {}, 0.0, 0.0}));
   }
@@ -53,6 +61,13 @@ Sonars::Sonars(const WorldConfig& config)
   extents.clear();
   for (const Disc& disc : discs_) extents.push_back(extent_of({{}, disc.centre, disc.radius, 0.0}));
   disc_map_ = std::make_unique<ReachMap>(config.arena_m, extents, reach);
+}
+
+void Sonars::Nearby::clear() {
+  faces.clear();
+  discs.clear();
+  low.clear();
+  close.clear();
 }
 
 void Sonars::add_sides(const Solid& solid, std::vector<Face>& faces, std::vector<Disc>& discs) {
@@ -92,7 +107,7 @@ void Sonars::place(std::span<const Pose> poses) {
 void Sonars::gather(std::size_t robot) {
   const Point base{poses_[robot].x_m, poses_[robot].y_m};
   const double mounts = mount_radius();
-  around_ = {};
+  around_.clear();
   for (const std::uint32_t i : face_map_->near(base)) around_.faces.push_back(faces_[i]);
   for (const std::uint32_t i : disc_map_->near(base)) around_.discs.push_back(discs_[i]);
   bodies_.clear();
@@ -100,14 +115,14 @@ void Sonars::gather(std::size_t robot) {
   for (const std::uint32_t other : others_) {
     if (other != robot) bodies_.push_back(body_of(poses_[other]));
   }
-  const auto look_at = [&](const Solid& solid) {
-    if (solid.height < kSonarHeight) around_.low.push_back(&solid);
-    if (distance_to(solid, base) <= mounts) around_.close.push_back(&solid);
-  };
-  for (const std::uint32_t i : solid_map_->near(base)) look_at(solids_[i]);
+  for (const std::uint32_t i : solid_map_->near(base)) {
+    if (solids_[i].height < kSonarHeight) around_.low.push_back(&solids_[i]);
+    if (is_within(extents_[i], base, mounts)) around_.close.push_back(&solids_[i]);
+  }
   for (const Solid& body : bodies_) {
     add_sides(body, around_.faces, around_.discs);
-    look_at(body);
+    if (body.height < kSonarHeight) around_.low.push_back(&body);
+    if (distance_to(body, base) <= mounts) around_.close.push_back(&body);
   }
 }
 
@@ -188,10 +203,9 @@ std::array<double, kSonarCount> Sonars::ranges(std::size_t robot) {
   const Point heading{std::cos(pose.yaw_rad), std::sin(pose.yaw_rad)};
   std::array<double, kSonarCount> result{};
   for (std::size_t i = 0; i < kSonarCount; ++i) {
-    const SonarMount& mount = sonar_mounts()[i];
-    const Point from = placed(mount.place, {pose.x_m, pose.y_m}, heading.x, heading.y);
-    const Point axis = turned(heading, {std::cos(mount.heading_rad), std::sin(mount.heading_rad)});
-    result[i] = listen(from, axis);
+    const Transducer& one = transducers_[i];
+    result[i] =
+        listen(placed(one.place, {pose.x_m, pose.y_m}, heading.x, heading.y), turned(heading, one.axis));
   }
   return result;
 }

@@ -48,6 +48,7 @@ class Sonars {
     std::vector<Disc> discs;
     std::vector<const Solid*> low;    // whose tops lie below the transducers
     std::vector<const Solid*> close;  // that a transducer may be inside of
+    void clear();
   };
   struct Hit {
     double distance = 0.0;
@@ -65,12 +66,18 @@ class Sonars {
   Point body_low_;  // the hull in frame B
   Point body_high_;
   double body_height_ = 0.0;
+  struct Transducer {
+    Point place;  // in frame B
+    Point axis;   // unit, in frame B
+  };
+  std::array<Transducer, kSonarCount> transducers_;
   std::vector<Ray> rays_;
   double echo_cosine_;
   bool floor_echoes_ = false;
   Point left_edge_;  // of the cone, in the transducer's frame
 
-  std::vector<Solid> solids_;  // static
+  std::vector<Solid> solids_;    // static
+  std::vector<Extent> extents_;  // of the solids
   std::vector<Face> faces_;
   std::vector<Disc> discs_;
   std::unique_ptr<ReachMap> solid_map_;
