@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "world_server/physics/bumps.hpp"
 #include "world_server/physics/ode_session.hpp"
 #include "world_server/physics/robot_body.hpp"
 #include "world_server/physics/statics.hpp"
@@ -14,55 +15,29 @@ namespace caravan::world {
 namespace {
 
 constexpr double kGravity = 9.81;
-// N, the most that one contact point of a hull holds along the surface. A fixed force, not a share of the
-// pressure: with the latter the solver meets contacts that neither press nor hold, and gives up on them.
-constexpr double kHullGrip = 2.0;
-// m/s per N. Hulls that lie flat against each other have more contacts than their forces are determined by;
-// with none of this the solver's matrix is singular.
-constexpr double kSoftness = 1e-4;
-// Share of an error in the joints' and contacts' positions that one physics step takes back. A wheel that
-// moves along its tangent leaves its circle a little in each step: what is not taken back widens the track.
+// Share of an error in the joints' positions that one physics step takes back. A wheel that moves along its
+// tangent leaves its circle a little in each step: what is not taken back widens the track.
 constexpr double kJointCorrection = 0.8;
-constexpr double kContactCorrection = 0.2;
-constexpr double kSamePlace = 0.005;
-constexpr double kSameWay = 0.95;
-constexpr int kMaxContacts = 8;  // of one pair
 // Keeps resting contacts closed, so that wheels neither bounce nor rattle.
 constexpr double kSurfaceLayer = 0.0005;
 // A body that got into another is pushed out no faster than this, so that nothing is shot away.
 constexpr double kMaxPushOut = 1.0;
-
-/// All hulls are upright, so contacts that lie above each other say the same. They are taken as one at the
-/// height of the centre of mass: a knock turns a robot but does not tip it, and the solver, whose time grows
-/// with the cube of the contacts, has half as many and none that depend on each other.
-void merge_into(std::vector<dContactGeom>& bumps, dContactGeom geom, double height) {
-  const double flat = std::hypot(geom.normal[0], geom.normal[1]);
-  if (flat < 0.5) return;  // one hull on top of another: no case of an upright world
-  geom.normal[0] /= flat;
-  geom.normal[1] /= flat;
-  geom.normal[2] = 0.0;
-  geom.pos[2] = height;
-  for (dContactGeom& bump : bumps) {
-    if (std::hypot(bump.pos[0] - geom.pos[0], bump.pos[1] - geom.pos[1]) > kSamePlace) continue;
-    if (bump.normal[0] * geom.normal[0] + bump.normal[1] * geom.normal[1] < kSameWay) continue;
-    bump.depth = std::max(bump.depth, geom.depth);
-    return;
-  }
-  bumps.push_back(geom);
-}
+constexpr double kUpright = 0.995;  // cosine of the tilt up to which a hull keeps off the floor
+constexpr int kFloorContacts = 4;
 
 }  // namespace
 
 struct Dynamics::Impl {
   Impl(const WorldConfig& config, std::span<const Pose> starts)
       : plan{config.robots},
+        bumps{plan.mass_centre[2]},
+        spring{calm_spring(config.robots.mass_kg, config.step_s / config.substeps)},
         statics{config, body_radius_m(config.robots) + reach_margin(config)},
         hull_radius{body_radius_m(config.robots)},
         margin{reach_margin(config)},
         substeps{config.substeps},
         substep_s{config.step_s / config.substeps} {
     ode.prepare_thread();
-    dRandSetSeed(1);
     for (const Pose& start : starts) robots.push_back(build_robot(ode.world(), plan, start));
     poses.assign(starts.begin(), starts.end());
     left_rad.assign(starts.size(), 0.0);
@@ -116,16 +91,10 @@ struct Dynamics::Impl {
       if (push_n[i] != 0.0) dBodyAddRelForce(robot.chassis, push_n[i], 0.0, 0.0);
       const Pose now = pose_of(robot, plan);
       places[i] = {now.x_m, now.y_m};
-      statics.near(places[i], hull_radius, [&](dGeomID thing) { collide(i, robot.hull, thing, 0); });
-      add_bumps();
-      if (leans(robot)) collide_with_floor(robot);
+      bump_statics(i);
+      if (dBodyGetRotation(robot.chassis)[10] < kUpright) collide_with_floor(robot);
     }
-    for (const auto& [a, b] : pairs) {
-      const Point apart = places[b] - places[a];
-      if (dot(apart, apart) > 4.0 * hull_radius * hull_radius) continue;
-      collide(a, robots[a].hull, robots[b].hull, b + 1);
-      add_bumps();
-    }
+    bump_robots();
     dWorldStep(ode.world(), substep_s);
     dJointGroupEmpty(ode.contacts());
     for (std::size_t i = 0; i < robots.size(); ++i) {
@@ -134,40 +103,40 @@ struct Dynamics::Impl {
     }
   }
 
-  void collide(std::size_t robot, dGeomID hull, dGeomID thing, std::uint32_t other) {
-    dContactGeom geoms[kMaxContacts];
-    const int count = dCollide(hull, thing, kMaxContacts, geoms, sizeof(dContactGeom));
-    if (count == 0) return;
-    touches.push_back({static_cast<std::uint32_t>(robot + 1), other});
-    for (int i = 0; i < count; ++i) merge_into(bumps, geoms[i], plan.mass_centre[2]);
-  }
-
-  void add_bumps() {
-    for (const dContactGeom& bump : bumps) add_bump(bump);
+  void bump_statics(std::size_t robot) {
     bumps.clear();
+    bool touched = false;
+    statics.near(places[robot], hull_radius,
+                 [&](dGeomID thing) { touched = bumps.add(robots[robot].hull, thing) || touched; });
+    if (touched) touches.push_back({static_cast<std::uint32_t>(robot + 1), 0});
+    hold_apart(ode, bumps.all());
   }
 
-  void add_bump(const dContactGeom& geom) {
-    dContact contact{};
-    contact.geom = geom;
-    contact.surface.mode = dContactSoftCFM | dContactSoftERP | dContactFDir1 | dContactMu2;
-    contact.surface.soft_cfm = kSoftness;
-    contact.surface.soft_erp = kContactCorrection;
-    contact.surface.mu = kHullGrip;  // along the floor; mu2, up and down: none
-    contact.fdir1[0] = -geom.normal[1];
-    contact.fdir1[1] = geom.normal[0];
-    const dJointID joint = dJointCreateContact(ode.world(), ode.contacts(), &contact);
-    dJointAttach(joint, dGeomGetBody(geom.g1), dGeomGetBody(geom.g2));
+  /// Two robots that touch nobody else are held apart by the solver. In a crowd springs do it: the solver
+  /// takes all robots that hold each other as one problem, whose time grows with the cube of their number.
+  void bump_robots() {
+    meetings.clear();
+    partners.assign(robots.size(), 0);
+    for (const auto& [a, b] : pairs) {
+      const Point apart = places[b] - places[a];
+      if (dot(apart, apart) > 4.0 * hull_radius * hull_radius) continue;
+      bumps.clear();
+      if (!bumps.add(robots[a].hull, robots[b].hull)) continue;
+      touches.push_back({a + 1, b + 1});
+      ++partners[a];
+      ++partners[b];
+      meetings.push_back({a, b, {bumps.all().begin(), bumps.all().end()}});
+    }
+    for (const Meeting& meeting : meetings) {
+      const bool is_crowd = partners[meeting.a] > 1 || partners[meeting.b] > 1;
+      is_crowd ? push_apart(meeting.contacts, spring) : hold_apart(ode, meeting.contacts);
+    }
   }
 
-  /// Has a knock tipped it so far that its hull may reach the floor?
-  [[nodiscard]] static bool leans(const RobotBody& robot) {
-    return dBodyGetRotation(robot.chassis)[10] < 0.995;
-  }
-
+  /// A hull that a knock has tipped rests on the floor with its edge.
   void collide_with_floor(const RobotBody& robot) {
-    dContactGeom geoms[kMaxContacts];
-    const int count = dCollide(robot.hull, statics.floor(), kMaxContacts, geoms, sizeof(dContactGeom));
+    dContactGeom geoms[kFloorContacts];
+    const int count = dCollide(robot.hull, statics.floor(), kFloorContacts, geoms, sizeof(dContactGeom));
     for (int i = 0; i < count; ++i) {
       dContact contact{};
       contact.geom = geoms[i];
@@ -175,9 +144,17 @@ struct Dynamics::Impl {
     }
   }
 
+  /// Two robots that touch in this physics step.
+  struct Meeting {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::vector<dContactGeom> contacts;
+  };
+
   OdeSession ode;
-  std::vector<dContactGeom> bumps;
   BodyPlan plan;
+  Bumps bumps;
+  Spring spring;
   Statics statics;
   double hull_radius;
   double margin;
@@ -193,6 +170,8 @@ struct Dynamics::Impl {
   std::vector<Point> places;
   std::vector<std::uint32_t> found;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  std::vector<Meeting> meetings;
+  std::vector<std::uint32_t> partners;  // by robot: how many others it touches
 };
 
 Dynamics::Dynamics(const WorldConfig& config, std::span<const Pose> starts)

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world_server/physics/ode_session.hpp"
 
+#include "runtime/pure/assert.hpp"
+
 namespace caravan::world {
 namespace {
 
-/// ODE is opened once for a process and stays open: closing it would pull it away from other worlds.
+/// ODE is opened once for a process and stays open: closing it would pull it away from other worlds. Its
+/// random numbers are those of the process; the solver that we use draws none.
 void open_ode() {
-  static const int opened = dInitODE2(0);
-  static_cast<void>(opened);
+  static const bool opened = [] {
+    const int result = dInitODE2(0);
+    dRandSetSeed(1);
+    return result != 0;
+  }();
+  CARAVAN_ASSERT(opened);
 }
 
 }  // namespace

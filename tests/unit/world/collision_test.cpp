@@ -180,6 +180,38 @@ TEST(Collision, ARobotDoesNotPassThroughOneThatStands) {
   }
 }
 
+// Everybody heads for the same point at full speed and keeps pushing.
+TEST(Collision, NobodyPassesThroughAnybodyInACrowd) {
+  constexpr std::uint32_t kCrowd = 12;
+  const WorldConfig config = empty_world(12.0, kCrowd);
+  std::vector<Pose> starts;
+  for (std::uint32_t i = 0; i < kCrowd; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kCrowd;
+    const double radius = i % 2 == 0 ? 2.0 : 3.5;
+    starts.push_back({radius * std::cos(angle), radius * std::sin(angle), wrapped(angle + std::numbers::pi)});
+  }
+  Dynamics physics{config, starts};
+  std::size_t crowded = 0;
+  for (std::uint64_t i = 0; i < steps_in(30.0); ++i) {
+    for (std::uint32_t k = 0; k < kCrowd; ++k) {
+      const Pose& pose = physics.poses()[k];
+      const double turn = std::clamp(wrapped(std::atan2(-pose.y_m, -pose.x_m) - pose.yaw_rad), -0.5, 0.5);
+      physics.drive(k, kFullSpeed - turn, kFullSpeed + turn);
+    }
+    physics.advance();
+    crowded += physics.touches().size() > kCrowd ? 1U : 0U;
+    for (std::uint32_t k = 0; k < kCrowd; ++k) {
+      ASSERT_LT(physics.stance(k).tilt_rad, 20.0 * kDegree) << "step " << i << " robot " << k;
+      for (std::uint32_t other = 0; other < k; ++other) {
+        ASSERT_FALSE(
+            overlap(hull_of(physics.poses()[k], kMayPressIn), hull_of(physics.poses()[other], kMayPressIn)))
+            << "step " << i << " robots " << k << " and " << other;
+      }
+    }
+  }
+  EXPECT_GT(crowded, 300U);
+}
+
 TEST(Collision, ReportsWhoTouchesWhatAndNothingElse) {
   const WorldConfig config = empty_world(6.0, 3);
   // 1 drives into 3, 2 drives into the wall behind it.
