@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <thread>
 
 #include "runtime/config/start_error.hpp"
 #include "runtime/pure/random.hpp"
@@ -57,6 +58,22 @@ TEST(World, RepeatsItselfWhateverElseRunsInTheProcess) {
   World other{changed};
   static_cast<void>(wander(other, 4, 7, 123));
   EXPECT_EQ(wander(beside, 4, 5, 300), expected);
+}
+
+TEST(World, RepeatsItselfOnSeveralThreadsAtOnce) {
+  const WorldConfig config = shipped("small");
+  World alone{config};
+  const std::uint64_t expected = wander(alone, 4, 5, 200);
+  std::array<std::uint64_t, 3> chains{};
+  std::vector<std::thread> threads;
+  for (std::uint64_t& chain : chains) {
+    threads.emplace_back([&config, &chain] {
+      World world{config};
+      chain = wander(world, 4, 5, 200);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::uint64_t chain : chains) EXPECT_EQ(chain, expected);
 }
 
 TEST(World, AnotherSeedOrCommandGivesAnotherChain) {
