@@ -45,6 +45,8 @@ const Observation& Engine::step() {
 
 const Observation& Engine::last() {
   look();
+  observation_.last = finished();
+  if (observation_.last) observation_.members.clear();
   return observation_;
 }
 

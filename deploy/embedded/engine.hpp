@@ -26,7 +26,7 @@ class Engine {
   /// One step of everybody. @pre !finished()
   /// @return what an observer sees of it, valid until the next call
   const Observation& step();
-  /// What the last step led to: the observation that ends a run, without reports.
+  /// What the last step led to, without reports: the observation that ends a run.
   const Observation& last();
 
   /// The run is decided: items delivered, or time over.

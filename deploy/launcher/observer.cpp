@@ -23,6 +23,7 @@ Observation to_observation(const msg::WorldTruth& truth) {
   for (const msg::RobotTruth& robot : truth.robots()) {
     seen.poses.push_back({robot.robot(), {robot.x_m(), robot.y_m()}, robot.yaw_rad()});
   }
+  seen.last = truth.last();
   seen.members = truth.members();
   for (const msg::ContactEpisode& contact : truth.contacts())
     seen.contacts.push_back({contact.robot(), contact.other()});

@@ -77,11 +77,12 @@ struct AgentReport {
 /// sensing it. The last observation of a run carries what its deciding step brought and no reports.
 struct Observation {
   Time stamp{0};
-  std::vector<TruePose> poses;             ///< of all robots, sorted by robot
-  std::vector<std::uint32_t> members;      ///< robots that take part in this step, sorted
-  std::vector<Contact> contacts;           ///< of the step that led here
-  std::vector<ItemEvent> item_events;      ///< of the step that led here
-  std::uint32_t items_delivered = 0;       ///< in all
+  bool last = false;                   ///< the run is decided: no step follows and nobody takes part in it
+  std::vector<TruePose> poses;         ///< of all robots, sorted by robot
+  std::vector<std::uint32_t> members;  ///< robots that take part in this step, sorted
+  std::vector<Contact> contacts;       ///< of the step that led here
+  std::vector<ItemEvent> item_events;  ///< of the step that led here
+  std::uint32_t items_delivered = 0;   ///< in all
   std::vector<AgentReport> agent_reports;  ///< at most one for each robot, sorted by robot
 };
 

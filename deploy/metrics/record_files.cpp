@@ -32,7 +32,7 @@ RecordFiles::Robot* RecordFiles::find(std::uint32_t robot) {
 }
 
 void RecordFiles::observe(const Observation& observation) {
-  record_membership(observation);
+  if (!observation.last) record_membership(observation);
   record_step(observation);
   for (const AgentReport& report : observation.agent_reports) record_report(observation.stamp, report);
   record_tracks(observation);

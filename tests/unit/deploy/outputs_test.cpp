@@ -113,6 +113,18 @@ TEST_F(Outputs, EventsTellWhatHappenedToWhomAndQuoteCommas) {
                                    "2.000,1,blocked,\"at=\"\"1,2\"\"\""));
 }
 
+TEST_F(Outputs, TheEndOfARunIsNobodysLeaving) {
+  RecordFiles files{folder_, 1};
+  files.observe(at(seconds{0}, {{0, 0}}));
+  Observation end = at(seconds{1}, {{0, 0}});
+  end.last = true;
+  end.members.clear();
+  files.observe(end);
+  files.close();
+
+  EXPECT_THAT(lines_of("events.csv"), testing::SizeIs(1));
+}
+
 TEST_F(Outputs, AFolderThatHoldsSomethingIsRefusedAndAnEmptyOneTaken) {
   EXPECT_EQ(make_run_directory(folder_, {}), folder_);
   std::ofstream{folder_ / "metrics.json"} << "{}";
