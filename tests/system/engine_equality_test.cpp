@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/system/support/process.hpp"
+
+namespace caravan {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Process;
+using test::read_file;
+
+/// Runs the small scenario long enough for robots to find the destination, meet and exchange paths.
+nlohmann::json run(const std::string& engine, const std::string& mode, int seed, const fs::path& out,
+                   const fs::path& log) {
+  Process process{
+      {"caravan", "run", test::scenario("small.toml"), "--engine", engine, "--mode", mode, "--seed",
+       std::to_string(seed), "--items", "0", "--max-time", "150", "--out", out, "--quiet"},
+      log};
+  EXPECT_EQ(process.wait(std::chrono::seconds{60}), 0) << process.output();
+  return nlohmann::json::parse(read_file(out / "metrics.json"));
+}
+
+/// What must not depend on the engine: everything but its name and wall time.
+nlohmann::json without_wall_time(nlohmann::json metrics) {
+  for (const char* key : {"engine", "wall_time_s", "real_time_factor", "time_split"}) metrics.erase(key);
+  return metrics;
+}
+
+class EngineEquality : public testing::TestWithParam<std::tuple<std::string, int>> {};
+
+TEST_P(EngineEquality, ProcessesOnDdsAndOneProcessGiveTheSameRunBitForBit) {
+  const auto& [mode, seed] = GetParam();
+  const test::ScratchFolder folder;
+  const fs::path dds = folder / "dds";
+  const fs::path embedded = folder / "embedded";
+
+  const nlohmann::json on_dds = run("dds", mode, seed, dds, folder / "dds.log");
+  const nlohmann::json in_one = run("embedded", mode, seed, embedded, folder / "embedded.log");
+
+  EXPECT_EQ(on_dds["digest"], in_one["digest"]);
+  EXPECT_EQ(without_wall_time(on_dds), without_wall_time(in_one));
+  for (const char* name : {"tracks.csv", "trips.csv", "events.csv", "paths.csv"}) {
+    EXPECT_EQ(read_file(dds / name), read_file(embedded / name)) << name;
+    EXPECT_THAT(read_file(dds / name), testing::HasSubstr("\n")) << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ModesAndSeeds, EngineEquality,
+                         testing::Values(std::tuple{"full", 1}, std::tuple{"partial", 2},
+                                         std::tuple{"none", 3}));
+
+}  // namespace
+}  // namespace caravan
