@@ -9,7 +9,8 @@
 
 namespace caravan::world {
 
-/// For each square metre of the arena the static things within reach of it, worked out once.
+/// For each square metre of the arena (or a millionth of it, if that is more) the static things within reach
+/// of it, worked out once.
 class ReachMap {
  public:
   /// @param things  what to find, by what they extend over
@@ -24,6 +25,7 @@ class ReachMap {
   [[nodiscard]] std::size_t column(double x) const;
   [[nodiscard]] std::size_t row(double y) const;
 
+  double cell_;  // side length
   Point low_;
   std::size_t columns_ = 0;
   std::size_t rows_ = 0;
