@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 namespace caravan::agent {
 namespace {
 
+constexpr Time kLetsPass = std::chrono::milliseconds{800};
 constexpr double kRoom_m = 0.9;  // free distance from the base that a direction must have
 
 double clearance_m(const Encounter& encounter, double bearing_rad) {
@@ -27,7 +29,8 @@ Manoeuvre turn_slightly_left(const Encounter& encounter) {
   const double left = 0.5 + 0.3 * encounter.draw;
   const double forward = 0.5 + 0.4 * encounter.draw;
   if (clearance_m(encounter, left) < kRoom_m) {
-    return {Go{-0.3}, turned_by(encounter, left), Go{0.5 * forward}};
+    if (encounter.attempt % 3 == 2) return go_round(encounter);
+    return {Pause{kLetsPass + std::chrono::milliseconds{std::lround(1000.0 * encounter.draw)}}};
   }
   return {turned_by(encounter, left), Go{forward}};
 }

@@ -18,7 +18,8 @@ struct Encounter {
 using AvoidanceRule = Manoeuvre (*)(const Encounter&);
 
 /// The paper's rule for another robot (section 3.2): both turn slightly left, go forward a little, resume.
-/// With no room on the left the robot backs off first.
+/// With no room on the left the robot stands a little and lets the other pass, which has it on its left;
+/// every third time in the same place it goes round.
 [[nodiscard]] Manoeuvre turn_slightly_left(const Encounter& encounter);
 
 /// For an obstacle that sends no WAIT: turns to the free direction nearest to the goal, goes forward a

@@ -16,6 +16,9 @@ constexpr double kFacing_rad = 0.5;  // something ahead matters when the goal is
 // Trouble is the same trouble again when it comes this soon and this near.
 constexpr Time kAgain = 15s;
 constexpr double kSamePlace_m = 1.0;
+constexpr double kBacksOff_m = 0.4;
+// A robot ahead that comes no nearer than this drives in the same direction: follow it.
+constexpr double kComes_mps = 0.4;
 
 }  // namespace
 
@@ -57,9 +60,10 @@ Motion Driver::drive_to(const Point& goal_W, const Perception& seen, pure::Rando
 
 Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& random) {
   const double bearing = seen.bearing_to(goal_W);
-  const double ahead = free_ahead_m(seen, config_);
+  const auto [ahead, closing] = watch_.update(seen, free_ahead_m(seen, config_));
   const bool facing = std::abs(bearing) < kFacing_rad;
-  if (facing && seen.robot_near && ahead < config_.meeting_m) {
+  const bool in_the_way = ahead < config_.too_close_m || (ahead < config_.meeting_m && closing > kComes_mps);
+  if (facing && seen.robot_near && in_the_way) {
     state_ =
         Manoeuvring{Performance{when_meeting_({seen, config_, bearing, random.unit(), attempts_at(seen)})}};
     return moving({}, Activity::kAvoiding, Obstruction::kRobot);
@@ -67,7 +71,8 @@ Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& 
   // Something beyond the goal is not in the way.
   const double needed = std::min(config_.too_close_m, std::max(0.15, seen.distance_to(goal_W)));
   if (facing && ahead < needed) return moving({}, Activity::kAvoiding, Obstruction::kObstacle);
-  return moving(steer_to(bearing, speed_for(ahead, config_), config_), Activity::kDriving,
+  const double leaning = facing ? bearing + lean_rad(seen, config_) : bearing;
+  return moving(steer_to(leaning, speed_for(ahead, config_), config_), Activity::kDriving,
                 Obstruction::kNone);
 }
 
@@ -77,5 +82,7 @@ void Driver::go_round_towards(const Point& goal_W, const Perception& seen, pure:
   state_ =
       Manoeuvring{Performance{go_round({seen, config_, seen.bearing_to(goal_W), random.unit(), attempt})}};
 }
+
+void Driver::back_off() { state_ = Manoeuvring{Performance{{Go{-kBacksOff_m}}}}; }
 
 }  // namespace caravan::agent

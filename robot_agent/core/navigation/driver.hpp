@@ -5,6 +5,7 @@
 
 #include "robot_agent/core/navigation/avoidance.hpp"
 #include "robot_agent/core/navigation/stuck.hpp"
+#include "robot_agent/core/navigation/watch.hpp"
 #include "runtime/pure/random.hpp"
 
 namespace caravan::agent {
@@ -37,6 +38,8 @@ class Driver {
   [[nodiscard]] Motion drive_to(const Point& goal_W, const Perception& seen, pure::Random& random);
   /// Goes round the obstacle between the robot and the goal; to be called after kObstacle.
   void go_round_towards(const Point& goal_W, const Perception& seen, pure::Random& random);
+  /// Backs off a little on the way that it came, which is free, before it turns.
+  void back_off();
   /// The robot stands in this step. A manoeuvre under way goes on afterwards.
   [[nodiscard]] Motion stand(Activity activity);
 
@@ -56,6 +59,7 @@ class Driver {
   AvoidanceRule when_meeting_;
   std::variant<Steering, Manoeuvring> state_;
   StuckMonitor monitor_;
+  Watch watch_;
   Wheels last_wheels_;
   Point last_trouble_at_{0.0, 0.0};
   Time last_trouble_{-std::chrono::hours{1}};

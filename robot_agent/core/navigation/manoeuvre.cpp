@@ -25,6 +25,7 @@ std::optional<Wheels> Performance::step(const Perception& seen, const Config& co
     if (!begun_) {
       begun_ = true;
       leg_began_at_ = seen.p_WB;
+      leg_began_ = seen.now;
       leg_gives_up_ = seen.now + kMostForALeg;
     }
     std::optional<Wheels> wheels;
@@ -56,6 +57,11 @@ std::optional<Wheels> Performance::perform(const Go& leg, const Perception& seen
   if (ahead < kTooNearAhead_m) return std::nullopt;
   return wheels_for(std::max(config.slow_mps, std::min(0.6 * config.cruise_mps, speed_for(ahead, config))),
                     0.0, config);
+}
+
+std::optional<Wheels> Performance::perform(const Pause& leg, const Perception& seen, const Config&) const {
+  if (seen.now - leg_began_ >= leg.duration) return std::nullopt;
+  return Wheels{};
 }
 
 }  // namespace caravan::agent

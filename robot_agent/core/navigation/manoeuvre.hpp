@@ -18,7 +18,11 @@ struct TurnTo {
 struct Go {
   double distance_m = 0.0;
 };
-using Leg = std::variant<TurnTo, Go>;
+/// Stand.
+struct Pause {
+  Time duration{0};
+};
+using Leg = std::variant<TurnTo, Go, Pause>;
 
 /// A short sequence of blind movements, each with a deadline.
 using Manoeuvre = std::vector<Leg>;
@@ -36,10 +40,13 @@ class Performance {
                                               const Config& config) const;
   [[nodiscard]] std::optional<Wheels> perform(const Go& leg, const Perception& seen,
                                               const Config& config) const;
+  [[nodiscard]] std::optional<Wheels> perform(const Pause& leg, const Perception& seen,
+                                              const Config& config) const;
   Manoeuvre legs_;
   std::size_t current_ = 0;
   bool begun_ = false;  // the current leg
   Point leg_began_at_{0.0, 0.0};
+  Time leg_began_{0};
   Time leg_gives_up_{0};
 };
 

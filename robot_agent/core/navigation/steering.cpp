@@ -11,7 +11,9 @@ namespace {
 constexpr double kTurnGain = 3.0;          // 1/s
 constexpr double kMostTurn_radps = 2.5;    // rad/s
 constexpr double kTurnsInPlace_rad = 0.8;  // bearings beyond it
-constexpr double kBesideBody_m = 0.04;     // on either side of the body
+constexpr double kLean_rad = 0.5;
+constexpr double kWantedBeside_m = 0.2;  // free space on either side that a driving robot tries to keep
+constexpr double kBesideBody_m = 0.04;   // on either side of the body
 
 double turn_rate(double bearing_rad) {
   return std::clamp(kTurnGain * bearing_rad, -kMostTurn_radps, kMostTurn_radps);
@@ -53,6 +55,16 @@ double free_ahead_m(const Perception& seen, const Config& config, double bearing
 double free_behind_m(const Perception& seen, const Config& config) {
   const double behind = config.body_length_m - config.body_ahead_m;
   return std::max(0.0, seen.around.clearance_m(beside_the_body(config, std::numbers::pi)) - behind);
+}
+
+double lean_rad(const Perception& seen, const Config& config) {
+  const double wanted = 0.5 * config.body_width_m + kWantedBeside_m;
+  const auto lack = [&](double bearing_rad) {
+    const double clearance = seen.around.clearance_m(
+        {.bearing_rad = bearing_rad, .half_width_m = 0.3, .surface_m = 0.0, .surface_per_metre = 0.0});
+    return std::max(0.0, 1.0 - clearance / wanted);
+  };
+  return kLean_rad * (lack(-0.5 * std::numbers::pi) - lack(0.5 * std::numbers::pi));
 }
 
 double speed_for(double free_ahead_m, const Config& config) {

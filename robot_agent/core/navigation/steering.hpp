@@ -21,6 +21,10 @@ namespace caravan::agent {
 /// The same behind the body.
 [[nodiscard]] double free_behind_m(const Perception& seen, const Config& config);
 
+/// How much to turn away from a surface close beside the robot, positive to the left. Walls end in corners,
+/// which return no echo: keeping off the wall keeps off its corner.
+[[nodiscard]] double lean_rad(const Perception& seen, const Config& config);
+
 /// Cruise, or slow when something is ahead.
 [[nodiscard]] double speed_for(double free_ahead_m, const Config& config);
 

@@ -11,6 +11,7 @@ namespace caravan::agent {
 namespace {
 
 constexpr double kReached_m = 0.35;
+constexpr double kPicksUp_m = 0.6;     // an old section this near is picked up at once
 constexpr double kSamePoint_m = 0.05;  // as in merge()
 
 }  // namespace
@@ -27,6 +28,7 @@ void Route::plan_from_driven() {
   if (!towards_destination_) std::reverse(plan_.begin(), plan_.end());
   provisional_.reset();
   back_.clear();
+  keeps_until_ = 0;
   measure();
 }
 
@@ -60,12 +62,25 @@ double Route::remaining_m(const Point& p_WB) const {
 bool Route::advance(const Point& p_WB) {
   if (!back_.empty()) {
     if ((back_.back() - p_WB).norm() < kReached_m) back_.pop_back();
+    pick_up(p_WB);
     return false;
   }
   next_ = next_location(plan_, next_, p_WB);
   if (!provisional_ || next_ <= provisional_->last) return false;
   confirm();
   return true;
+}
+
+void Route::pick_up(const Point& p_WB) {
+  if (keeps_until_ < next_) return;
+  const Projection near = project(std::span{plan_}.subspan(next_ - 1, keeps_until_ - next_ + 2), p_WB);
+  if (near.distance_m > kPicksUp_m) return;
+  back_.clear();
+  next_ += near.segment;
+}
+
+double Route::provisional_m() const {
+  return provisional_ ? std::max(0.0, to_end_m_[provisional_->first] - to_end_m_[next_]) : 0.0;
 }
 
 Point Route::goal(const Point& p_WB) const {
@@ -98,9 +113,12 @@ Route::Ends Route::restore(const Point& p_WB) {
   std::vector<Point> back(
       first, plan_.begin() + static_cast<std::ptrdiff_t>(std::max(next_, provisional_->first + 1)));
   const Point left_at = back.front();
+  const Point leads_to = plan_[provisional_->last];
   // `back` is passed from its end.
   plan_from_driven();
   next_ = nearest_location(plan_, left_at);
+  const std::span ahead = std::span{plan_}.subspan(next_ - 1);
+  keeps_until_ = next_ + project(ahead, leads_to).segment;
   while (!back.empty() && (back.back() - p_WB).norm() < kReached_m) back.pop_back();
   back_ = std::move(back);
   return blocked;

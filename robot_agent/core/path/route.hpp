@@ -22,8 +22,11 @@ class Route {
   [[nodiscard]] bool towards_destination() const { return towards_destination_; }
   [[nodiscard]] const Point& end() const { return plan_.back(); }
   [[nodiscard]] bool is_provisional() const { return provisional_.has_value(); }
-  /// True while the robot is on its way back to the path: no shortcuts then.
-  [[nodiscard]] bool is_rejoining() const { return !back_.empty(); }
+  /// How far the robot has come on shortcuts that are provisional; 0 when there are none.
+  [[nodiscard]] double provisional_m() const;
+  /// False while the robot is on its way back to the path, and after a blocked shortcut until the old section
+  /// lies behind it: whatever goes wrong, it comes forward.
+  [[nodiscard]] bool may_shorten() const { return back_.empty() && next_ > keeps_until_; }
   [[nodiscard]] Ahead ahead() const { return {plan_, to_end_m_, next_}; }
   /// Distance of the robot from the section that it drives on.
   [[nodiscard]] double off_path_m(const Point& p_WB) const;
@@ -59,12 +62,14 @@ class Route {
   void plan_from_driven();
   void measure();
   void confirm();
+  void pick_up(const Point& p_WB);
   Path driven_;
   Path plan_;
   std::vector<double> to_end_m_;
   bool towards_destination_;
   std::size_t next_ = 1;
   std::optional<Provisional> provisional_;
+  std::size_t keeps_until_ = 0;  // vertex of the plan up to which no shortcut is taken
   std::vector<Point> back_;  // points to pass before the plan is picked up at next_; the last one is first
 };
 

@@ -18,6 +18,7 @@ constexpr double kSmoothsEvery_m = 0.25;
 constexpr double kOnPath_m = 0.6;  // a shortcut begins on the path
 // A shortcut on a shortcut must be worth more: each one puts off the moment when all are driven.
 constexpr double kNestedGain_m = 0.4;
+constexpr double kLongestProvisional_m = 8.0;
 constexpr double kProgress_m = 0.5;
 constexpr Time kWithoutProgress = 12s;
 constexpr Time kLongestStep = 200ms;  // longer pauses were exchanges
@@ -109,9 +110,9 @@ Motion Carrier::follow(const Perception& seen, Driver& driver, pure::Random& ran
 }
 
 void Carrier::smooth(const Perception& seen) {
-  if (seen.distance_to(last_smoothed_at_) < kSmoothsEvery_m || route_.is_rejoining()) return;
+  if (seen.distance_to(last_smoothed_at_) < kSmoothsEvery_m || !route_.may_shorten()) return;
   last_smoothed_at_ = seen.p_WB;
-  if (route_.off_path_m(seen.p_WB) > kOnPath_m) return;
+  if (route_.off_path_m(seen.p_WB) > kOnPath_m || route_.provisional_m() > kLongestProvisional_m) return;
   const double least =
       route_.is_provisional() ? std::max(kNestedGain_m, config_.shortcut_gain_m) : config_.shortcut_gain_m;
   const auto shortcut = find_shortcut(route_.ahead(), seen, config_, refusals_, least);
@@ -133,6 +134,7 @@ void Carrier::react(Obstruction obstruction, const Perception& seen, Driver& dri
     const Route::Ends blocked = route_.restore(seen.p_WB);
     refusals_.refuse(blocked.from, blocked.to, seen.now + config_.shortcut_pause);
     notes.add("shortcut_restored");
+    if (obstruction == Obstruction::kObstacle) driver.back_off();
     expect_progress();
   } else if (obstruction == Obstruction::kObstacle) {
     driver.go_round_towards(route_.goal(seen.p_WB), seen, random);

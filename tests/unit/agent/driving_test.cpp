@@ -7,6 +7,7 @@
 #include "robot_agent/core/navigation/driver.hpp"
 #include "robot_agent/core/navigation/steering.hpp"
 #include "robot_agent/core/navigation/stuck.hpp"
+#include "robot_agent/core/navigation/watch.hpp"
 #include "robot_agent/core/task/arrival.hpp"
 #include "tests/support/sonar_model.hpp"
 
@@ -112,12 +113,48 @@ TEST(StuckMonitor, AMovingOrATurningOrAStandingRobotIsNotStuck) {
   }
 }
 
-TEST(Avoidance, WithNoRoomOnTheLeftTheRobotBacksOffFirst) {
+TEST(Avoidance, WithNoRoomOnTheLeftTheRobotLetsTheOtherPass) {
   const std::vector<Wall> walls = {{{-5, 0.5}, {5, 0.5}}, {{0.6, -0.5}, {0.6, 0.5}}};
   const Perception seen = look(walls, {0, 0}, 0.0);
   const Manoeuvre manoeuvre = turn_slightly_left({seen, {}});
-  ASSERT_TRUE(std::holds_alternative<Go>(manoeuvre.front()));
-  EXPECT_LT(std::get<Go>(manoeuvre.front()).distance_m, 0.0);
+  ASSERT_TRUE(std::holds_alternative<Pause>(manoeuvre.front()));
+  const Manoeuvre third = turn_slightly_left({.seen = seen, .config = {}, .attempt = 2});
+  EXPECT_FALSE(std::holds_alternative<Pause>(third.front())) << "it does not wait for ever";
+}
+
+TEST(Watch, AnEchoThatVanishesAtOnceWhileAWaitIsHeardIsBelievedForTwoSeconds) {
+  Watch watch;
+  Perception seen = look({}, {0, 0}, 0.0);
+  seen.robot_near = true;
+  EXPECT_DOUBLE_EQ(watch.update(seen, 1.0).free_ahead_m, 1.0);
+  seen.now = 500ms;
+  seen.p_WB.x() = 0.2;
+  EXPECT_NEAR(watch.update(seen, 4.0).free_ahead_m, 0.8, 1e-9);
+  seen.now = 2100ms;
+  EXPECT_DOUBLE_EQ(watch.update(seen, 4.0).free_ahead_m, 4.0);
+}
+
+TEST(Watch, WithoutAWaitWhatVanishesIsGone) {
+  Watch watch;
+  Perception seen = look({}, {0, 0}, 0.0);
+  (void)watch.update(seen, 1.0);
+  seen.now = 32ms;
+  EXPECT_DOUBLE_EQ(watch.update(seen, 4.0).free_ahead_m, 4.0);
+}
+
+TEST(Watch, ARobotThatDrivesAheadDoesNotCloseInAndOneThatStandsDoes) {
+  Watch ahead;
+  Watch standing;
+  Perception seen = look({}, {0, 0}, 0.0);
+  seen.robot_near = true;
+  for (int i = 0; i < 40; ++i) {
+    seen.now += 32ms;
+    const auto follows = ahead.update(seen, 1.1);
+    const auto meets = standing.update(seen, 2.4 - 0.03 * i);
+    if (i < 30) continue;
+    EXPECT_NEAR(follows.closing_mps, 0.0, 1e-9);
+    EXPECT_NEAR(meets.closing_mps, 0.03 / 0.032, 1e-6);
+  }
 }
 
 TEST(Avoidance, RoundAnObstacleTheFreeDirectionNearestToTheGoalIsTaken) {

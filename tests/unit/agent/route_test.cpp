@@ -47,7 +47,7 @@ TEST(Route, ABlockedShortcutGivesTheOldSectionBackAndTheRobotReturnsToIt) {
   EXPECT_EQ(blocked.to, (Point{4, 0}));
   EXPECT_FALSE(route.is_provisional());
   EXPECT_EQ(route.plan(), kBowed);
-  EXPECT_TRUE(route.is_rejoining());
+  EXPECT_FALSE(route.may_shorten());
   double highest = 0.0;
   for (int i = 0; i < 400; ++i) {
     p = drive(route, p, 1);
@@ -55,6 +55,20 @@ TEST(Route, ABlockedShortcutGivesTheOldSectionBackAndTheRobotReturnsToIt) {
   }
   EXPECT_GT(highest, 2.5) << "it went round by the old section";
   EXPECT_LT((p - Point{8, 0}).norm(), 0.31);
+}
+
+TEST(Route, AfterABlockedShortcutTheOldSectionIsDrivenBeforeTheNextIsTried) {
+  Route route{kBowed, true, {0, 0}};
+  route.shorten({0, 0}, 4, 1.0);
+  Point p = drive(route, {0, 0}, 30);
+  (void)route.restore(p);
+  bool early = false;
+  for (int i = 0; i < 400 && !route.may_shorten(); ++i) {
+    p = drive(route, p, 1);
+    early = early || (route.may_shorten() && p.x() < 3.5);
+  }
+  EXPECT_TRUE(route.may_shorten());
+  EXPECT_FALSE(early);
 }
 
 TEST(Route, AShortcutOnAShortcutIsGivenUpAsAWhole) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <limits>
+
+#include "robot_agent/core/sensing/perception.hpp"
+
+namespace caravan::agent {
+
+/// Watches what is ahead over time.
+///
+/// A robot ahead that turns shows its corner and vanishes from the sonars: while a WAIT is heard, an echo
+/// that vanishes at once is believed to be still there for two seconds. And how fast the free distance
+/// shrinks tells a robot that comes or stands from one that drives ahead in the same direction.
+class Watch {
+ public:
+  struct View {
+    double free_ahead_m = std::numeric_limits<double>::infinity();
+    double closing_mps = std::numeric_limits<double>::infinity();  ///< +inf: it came into view just now
+  };
+  [[nodiscard]] View update(const Perception& seen, double free_ahead_m);
+
+ private:
+  struct Sample {
+    Time at{0};
+    double free_ahead_m = std::numeric_limits<double>::infinity();
+  };
+  [[nodiscard]] double believed(const Perception& seen, double free_ahead_m);
+  [[nodiscard]] double closing(Time now, double free_ahead_m);
+  std::array<Sample, 2> samples_;  // [0] older
+  Sample last_echo_;
+  Point echo_seen_from_{0.0, 0.0};
+  double echo_seen_at_yaw_rad_ = 0.0;
+};
+
+}  // namespace caravan::agent
