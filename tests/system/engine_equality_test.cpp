@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/system/support/process.hpp"
 
@@ -29,6 +30,22 @@ nlohmann::json without_wall_time(nlohmann::json metrics) {
   return metrics;
 }
 
+/// The first line in which two texts differ, empty when they are the same: the texts are too long to print.
+std::string first_difference(const std::string& one, const std::string& other) {
+  std::istringstream ones{one};
+  std::istringstream others{other};
+  std::string here;
+  std::string there;
+  for (int line = 1; one != other; ++line) {
+    const bool more = static_cast<bool>(std::getline(ones, here));
+    const bool others_more = static_cast<bool>(std::getline(others, there));
+    if (here != there || more != others_more) {
+      return "line " + std::to_string(line) + ": " + here + " | " + there;
+    }
+  }
+  return "";
+}
+
 class EngineEquality : public testing::TestWithParam<std::tuple<std::string, int>> {};
 
 TEST_P(EngineEquality, ProcessesOnDdsAndOneProcessGiveTheSameRunBitForBit) {
@@ -40,11 +57,10 @@ TEST_P(EngineEquality, ProcessesOnDdsAndOneProcessGiveTheSameRunBitForBit) {
   const nlohmann::json on_dds = run("dds", mode, seed, dds, folder / "dds.log");
   const nlohmann::json in_one = run("embedded", mode, seed, embedded, folder / "embedded.log");
 
-  EXPECT_EQ(on_dds["digest"], in_one["digest"]);
+  ASSERT_EQ(on_dds["digest"], in_one["digest"]);
   EXPECT_EQ(without_wall_time(on_dds), without_wall_time(in_one));
   for (const char* name : {"tracks.csv", "trips.csv", "events.csv", "paths.csv"}) {
-    EXPECT_EQ(read_file(dds / name), read_file(embedded / name)) << name;
-    EXPECT_THAT(read_file(dds / name), testing::HasSubstr("\n")) << name;
+    EXPECT_EQ(first_difference(read_file(dds / name), read_file(embedded / name)), "") << name;
   }
 }
 
