@@ -70,12 +70,8 @@ void RecordFiles::record_step(const Observation& observation) {
 void RecordFiles::record_report(Time stamp, const AgentReport& report) {
   Robot* robot = find(report.robot);
   if (robot == nullptr) return;
-  if (robot->origin == Origin::kNone && report.origin != Origin::kNone) {
-    event(stamp, report.robot, report.origin == Origin::kFound ? "found_path" : "received_path", "");
-  }
   robot->mode = report.mode;
   robot->activity = report.activity;
-  robot->origin = report.origin;
   for (const Exchange& exchange : report.exchanges) {
     event(stamp, report.robot, "exchange", in_words(exchange));
   }

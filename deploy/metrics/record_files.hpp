@@ -25,7 +25,6 @@ class RecordFiles {
   struct Robot {
     Mode mode = Mode::kExplore;
     Activity activity = Activity::kIdle;
-    Origin origin = Origin::kNone;
     bool member = false;
   };
   [[nodiscard]] Robot* find(std::uint32_t robot);

@@ -107,7 +107,7 @@ TEST_F(Outputs, EventsTellWhatHappenedToWhomAndQuoteCommas) {
 
   EXPECT_THAT(lines_of("events.csv"),
               testing::ElementsAre("time_s,robot,event,detail", "0.000,1,contact,with=2",
-                                   "0.000,2,contact,with=static", "2.000,2,left,", "2.000,1,found_path,",
+                                   "0.000,2,contact,with=static", "2.000,2,left,",
                                    "2.000,1,exchange,partner=2 session=9 primary=false completed=true "
                                    "began_s=1.000 ended_s=2.000",
                                    "2.000,1,blocked,\"at=\"\"1,2\"\"\""));
