@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <stdexcept>
 
 #include "runtime/config/start_error.hpp"
 
@@ -27,10 +28,16 @@ std::string fixed(double value, int decimals) {
   return {text.data(), static_cast<std::size_t>(length)};
 }
 
-CsvFile::CsvFile(const std::filesystem::path& file, const std::vector<std::string>& header) : out_{file} {
+CsvFile::CsvFile(const std::filesystem::path& file, const std::vector<std::string>& header)
+    : name_{file.string()}, out_{file} {
   if (!out_) throw runtime::StartError{file.string() + ": cannot be written"};
   row(header);
   flush();
+}
+
+void CsvFile::flush() {
+  out_.flush();
+  if (!out_) throw std::runtime_error{name_ + ": cannot be written any more"};
 }
 
 void CsvFile::row(const std::vector<std::string>& fields) {

@@ -19,9 +19,11 @@ class CsvFile {
 
   void row(const std::vector<std::string>& fields);
   /// What is written so far survives the death of this process.
-  void flush() { out_.flush(); }
+  /// @throws std::runtime_error when not all of it could be written
+  void flush();
 
  private:
+  std::string name_;
   std::ofstream out_;
 };
 

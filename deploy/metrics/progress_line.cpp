@@ -15,7 +15,7 @@ constexpr std::chrono::seconds kElsewhere{5};
 
 std::string progress_text(const RunFacts& facts, const Progress& progress, double speed) {
   std::string text = "simulated " + fixed(in_seconds(progress.stamp) / 60.0, 1) + " min of " +
-                     fixed(in_seconds(facts.max_time) / 60.0, 0) + "  " + fixed(speed, 1) + " x  items " +
+                     fixed(in_seconds(facts.max_time) / 60.0, 1) + "  " + fixed(speed, 1) + " x  items " +
                      std::to_string(progress.items_delivered);
   if (facts.items > 0) text += "/" + std::to_string(facts.items);
   text += "  with path " + std::to_string(progress.robots_with_path) + "/" + std::to_string(facts.robots) +

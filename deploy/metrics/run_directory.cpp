@@ -4,6 +4,7 @@
 #include <array>
 #include <ctime>
 #include <fstream>
+#include <stdexcept>
 #include <system_error>
 
 #include "runtime/config/start_error.hpp"
@@ -57,7 +58,7 @@ void write_whole_file(const fs::path& file, const std::string& text) {
   out.close();
   std::error_code error;
   if (out) fs::rename(fresh, file, error);
-  if (!out || error) throw runtime::StartError{file.string() + ": cannot be written"};
+  if (!out || error) throw std::runtime_error{file.string() + ": cannot be written"};
 }
 
 }  // namespace caravan::deploy

@@ -27,6 +27,7 @@ class RunRecord {
   void observe(const Observation& observation);
   /// To be called at least once a second of wall time, however often: shows progress and flushes when due.
   /// @param so_far  what the engine knows by now; asked for only when something is due
+  /// @throws std::runtime_error when a file cannot be written any more
   void keep_up(const std::function<RunEnd()>& so_far);
   /// Writes what is left and prints the result table to stdout unless `out` is null.
   /// @return the exit code of the run
