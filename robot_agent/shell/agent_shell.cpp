@@ -35,12 +35,13 @@ AgentShell::AgentShell(const Config& config, const runtime::BusConfig& bus, runt
              loop_.notify();
            }} {
   const std::uint32_t robot = config_.id.value;
-  const std::lock_guard lock{mutex_};
   clash_.emplace(bus_.id(), bus_.identity(),
                  std::chrono::nanoseconds{static_cast<std::int64_t>((bus.lease_s + 0.5) * 1e9)});
   commands_ = bus_.writer<msg::RobotCommandPubSubType>(idl::kCommand, robot);
   transmits_ = bus_.writer<msg::RadioTransmitPubSubType>(idl::kRadioTransmit, robot);
   telemetry_ = bus_.writer<msg::TelemetryPubSubType>(idl::kTelemetry, robot);
+  // Not under the lock: making a reader waits for DDS's own locks, whose holders may be waiting for ours in a
+  // callback.
   bus_.reader<msg::RadioReceivePubSubType>(
       idl::kRadioReceive, robot,
       [this](const msg::RadioReceive& sample, const ParticipantId&) { on_receive(sample); });

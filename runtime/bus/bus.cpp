@@ -65,15 +65,13 @@ class DiscoveryListener final : public dds::DomainParticipantListener {
   }
 
   void on_publisher_discovery(dds::DomainParticipant* own, rtps::WriterDiscoveryInfo&& found) override {
-    using Info = rtps::WriterDiscoveryInfo;
-    if (found.status != Info::DISCOVERED_WRITER && found.status != Info::REMOVED_WRITER) return;
-    if (found.info.guid().guidPrefix == own->guid().guidPrefix) return;
-    const ParticipantId id = to_id(found.info.guid().guidPrefix);
-    const std::lock_guard lock{mutex_};
-    const auto known = known_.find(id);
-    report(
-        {found.status == Info::REMOVED_WRITER ? Discovery::Kind::kWriterGone : Discovery::Kind::kWriterFound,
-         id, known == known_.end() ? Identity{} : known->second, found.info.topicName().to_string()});
+    if (found.status != rtps::WriterDiscoveryInfo::DISCOVERED_WRITER) return;
+    endpoint_found(Discovery::Kind::kWriterFound, own, found.info.guid(), found.info.topicName().to_string());
+  }
+
+  void on_subscriber_discovery(dds::DomainParticipant* own, rtps::ReaderDiscoveryInfo&& found) override {
+    if (found.status != rtps::ReaderDiscoveryInfo::DISCOVERED_READER) return;
+    endpoint_found(Discovery::Kind::kReaderFound, own, found.info.guid(), found.info.topicName().to_string());
   }
 
   /// No callback is running or will run after this.
@@ -83,6 +81,14 @@ class DiscoveryListener final : public dds::DomainParticipantListener {
   }
 
  private:
+  void endpoint_found(Discovery::Kind kind, const dds::DomainParticipant* own, const rtps::GUID_t& guid,
+                      const std::string& topic) {
+    if (guid.guidPrefix == own->guid().guidPrefix) return;
+    const ParticipantId id = to_id(guid.guidPrefix);
+    const std::lock_guard lock{mutex_};
+    const auto known = known_.find(id);
+    report({kind, id, known == known_.end() ? Identity{} : known->second, topic});
+  }
   void report(const Discovery& discovery) {
     if (discovered_) discovered_(discovery);
   }
@@ -119,15 +125,18 @@ struct Bus::Impl {
   dds::Subscriber* subscriber = nullptr;
   std::vector<std::unique_ptr<Inbox>> inboxes;
   std::vector<dds::DataReader*> readers;
+  std::map<std::string, dds::Topic*> topics;
 
   explicit Impl(DiscoveryCallback discovered) : listener{std::move(discovered)} {}
 
   dds::Topic* topic(const std::string& name, dds::TopicDataType* raw_type) {
     dds::TypeSupport type{raw_type};
+    if (const auto made = topics.find(name); made != topics.end()) return made->second;
     const dds::TypeSupport known = participant->find_type(type.get_type_name());
     if (known.empty()) type.register_type(participant);
     dds::Topic* made = participant->create_topic(name, type.get_type_name(), dds::TOPIC_QOS_DEFAULT);
     if (made == nullptr) throw StartError{"DDS refused the topic " + name};
+    topics[name] = made;
     return made;
   }
 };
@@ -137,7 +146,7 @@ Bus::Bus(const BusConfig& config, DiscoveryCallback discovered)
   static const bool prepared = (prepare_process(), true);
   (void)prepared;
   impl_->identity = own_identity(config.role);
-  const dds::DomainParticipantQos qos = participant_qos(to_name(impl_->identity), config.lease_s);
+  const dds::DomainParticipantQos qos = participant_qos(to_name(impl_->identity), config);
   impl_->participant = dds::DomainParticipantFactory::get_instance()->create_participant(
       config.domain, qos, &impl_->listener, dds::StatusMask::none());
   if (impl_->participant == nullptr) {

@@ -16,6 +16,9 @@ class DataReader;
 class DataWriter;
 class TopicDataType;
 }  // namespace eprosima::fastdds::dds
+namespace eprosima::fastdds::rtps {
+struct TransportDescriptorInterface;
+}
 
 namespace caravan::runtime {
 
@@ -29,16 +32,18 @@ struct BusConfig {
   std::string role;
   std::uint32_t domain = 0;
   double lease_s = 5.0;  ///< a participant silent for so long is gone
+  /// What the samples travel by; null: shared memory.
+  std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport = {};
 };
 
-/// Somebody came, left, or began to write a topic. Delivered on a discovery thread: post it to the thread
-/// that owns the state.
+/// Somebody came, left, or began to write or read a topic. Delivered on a discovery thread: post it to the
+/// thread that owns the state.
 struct Discovery {
-  enum class Kind : std::uint8_t { kJoined, kGone, kWriterFound, kWriterGone };
+  enum class Kind : std::uint8_t { kJoined, kGone, kWriterFound, kReaderFound };
   Kind kind = Kind::kJoined;
   ParticipantId participant;
   Identity identity;  ///< of the participant, where known
-  std::string topic;  ///< for the writer kinds
+  std::string topic;  ///< for a writer or reader
 };
 
 template <typename PubSubType>

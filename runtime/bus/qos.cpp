@@ -47,18 +47,22 @@ eprosima::fastrtps::Duration_t milliseconds(std::uint32_t count) {
 
 }  // namespace
 
-dds::DomainParticipantQos participant_qos(const std::string& name, double lease_s) {
+std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory() {
+  const auto transport = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
+  transport->healthy_check_timeout_ms(
+      600'000);  // the default loses samples for good when a process is stopped for 2 s
+  return transport;
+}
+
+dds::DomainParticipantQos participant_qos(const std::string& name, const BusConfig& config) {
   dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
   qos.name(name.c_str());
   qos.transport().use_builtin_transports = false;
-  const auto shared_memory = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
-  shared_memory->healthy_check_timeout_ms(
-      600'000);  // the default loses samples for good when a process is stopped for 2 s
-  qos.transport().user_transports.push_back(shared_memory);
+  qos.transport().user_transports.push_back(config.transport ? config.transport : shared_memory());
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
-  discovery.leaseDuration = eprosima::fastrtps::Duration_t{static_cast<long double>(lease_s)};
+  discovery.leaseDuration = eprosima::fastrtps::Duration_t{static_cast<long double>(config.lease_s)};
   discovery.leaseDuration_announcementperiod =
-      eprosima::fastrtps::Duration_t{static_cast<long double>(lease_s / 4.0)};
+      eprosima::fastrtps::Duration_t{static_cast<long double>(config.lease_s / 4.0)};
   return qos;
 }
 

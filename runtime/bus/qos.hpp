@@ -4,16 +4,20 @@
 #include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+#include <memory>
 #include <string>
 
 #include "idl/topics.hpp"
+#include "runtime/bus/bus.hpp"
 
 /// How the lockstep load is tuned for Fast DDS 2.9; docs/decisions/0003-fast-dds-recipe.md has the
 /// measurements.
 namespace caravan::runtime {
 
+/// The transport of a run on one machine: nothing leaves it.
+[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory();
 [[nodiscard]] eprosima::fastdds::dds::DomainParticipantQos participant_qos(const std::string& name,
-                                                                           double lease_s);
+                                                                           const BusConfig& config);
 [[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(idl::Delivery delivery);
 [[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(idl::Delivery delivery);
 

@@ -66,8 +66,9 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
   truths_ = bus_.writer<msg::WorldTruthPubSubType>(idl::kTruth);
   clock_ = bus_.writer<rosgraph_msgs::msg::ClockPubSubType>(idl::kClock);
   statuses_ = bus_.writer<msg::WorldStatusPubSubType>(idl::kWorldStatus);
-  const std::lock_guard lock{mutex_};
   publish_sensors();
+  // Not under the lock: making a reader waits for DDS's own locks, whose holders may be waiting for ours in a
+  // callback.
   for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
     bus_.reader<msg::RobotCommandPubSubType>(
         idl::kCommand, robot, [this, robot](const msg::RobotCommand& sample, const ParticipantId& sender) {

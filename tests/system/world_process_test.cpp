@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+// The real world server, with the test in the place of its agents and its radio.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "deploy/launcher/domain_lock.hpp"
+#include "tests/system/support/bus_player.hpp"
+
+namespace caravan::test {
+namespace {
+
+namespace msg = caravan_interfaces::msg;
+using namespace std::chrono_literals;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr std::uint32_t kRobots = 4;
+
+/// Answers every sensor frame of the robots with a command of the test's choice, and every truth as a radio
+/// that hears nothing.
+class PlayedFleet {
+ public:
+  using Choose = std::function<std::pair<double, double>(std::uint32_t robot)>;
+
+  PlayedFleet(runtime::Bus& bus, std::vector<std::uint32_t> robots, Choose choose)
+      : choose_{std::move(choose)} {
+    radio_steps_ = bus.writer<msg::RadioStepPubSubType>(idl::kRadioStep);
+    for (const std::uint32_t robot : robots) {
+      commands_[robot] = bus.writer<msg::RobotCommandPubSubType>(idl::kCommand, robot);
+    }
+    bus.reader<msg::WorldTruthPubSubType>(idl::kTruth, 0, [this](const msg::WorldTruth& truth, const auto&) {
+      msg::RadioStep step;
+      step.stamp(truth.stamp());
+      step.session(truth.session());
+      radio_steps_.write(step);
+    });
+    for (const std::uint32_t robot : robots) {
+      bus.reader<msg::SensorFramePubSubType>(
+          idl::kSensors, robot,
+          [this, robot](const msg::SensorFrame& frame, const auto&) { answer(robot, frame); });
+    }
+  }
+
+ private:
+  void answer(std::uint32_t robot, const msg::SensorFrame& frame) {
+    const auto [left_mps, right_mps] = choose_(robot);
+    msg::RobotCommand command;
+    command.stamp(frame.stamp());
+    command.session(frame.session());
+    command.left_mps(left_mps);
+    command.right_mps(right_mps);
+    commands_.at(robot).write(command);
+  }
+
+  Choose choose_;
+  runtime::Writer<msg::RadioStepPubSubType> radio_steps_;
+  std::map<std::uint32_t, runtime::Writer<msg::RobotCommandPubSubType>> commands_;
+};
+
+class WorldProcess : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::vector<std::string> world() const {
+    return {"world_server", "--scenario", scenario("small.toml"), "--domain", std::to_string(lock_.domain())};
+  }
+
+  deploy::DomainLock lock_{std::nullopt};
+  ScratchFolder folder_;
+  Process world_{world(), folder_ / "world.log"};
+  runtime::Bus bus_{{.role = "test", .domain = lock_.domain()}};
+  Collector<msg::WorldStatusPubSubType> statuses_{bus_, idl::kWorldStatus};
+  Collector<msg::WorldTruthPubSubType> truths_{bus_, idl::kTruth};
+};
+
+TEST_F(WorldProcess, ListsWhoIsMissingAtTheStart) {
+  const PlayedFleet fleet{bus_, {1, 3}, [](auto) { return std::pair{0.0, 0.0}; }};
+  EXPECT_TRUE(statuses_.first([](const msg::WorldStatus& status) {
+    return status.state() == msg::WorldStatus_Constants::WAITING &&
+           status.missing() == std::vector<std::string>{"robot 2", "robot 4"};
+  }));
+}
+
+TEST_F(WorldProcess, RefusesCommandsThatAreNotFiniteAndClampsThoseOverTheLimit) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const PlayedFleet fleet{
+      bus_, {1, 2, 3, 4}, [nan](std::uint32_t robot) {
+        return robot == 1 ? std::pair{nan, 0.5} : robot == 2 ? std::pair{99.0, 99.0} : std::pair{0.0, 0.0};
+      }};
+  const auto status = statuses_.first([](const msg::WorldStatus& one) { return one.steps() > 60; });
+  ASSERT_TRUE(status) << world_.output();
+  EXPECT_GE(status->refused_commands(), 60U);
+  EXPECT_GE(status->clamped_commands(), 60U);
+  EXPECT_THAT(world_.output(), HasSubstr("command refused robot=1"));
+  EXPECT_THAT(world_.output(), HasSubstr("command clamped robot=2"));
+  const auto truth =
+      truths_.first([](const msg::WorldTruth& one) { return idl::to_time(one.stamp()) == 32ms * 30; });
+  const auto start =
+      truths_.first([](const msg::WorldTruth& one) { return idl::to_time(one.stamp()) == 0ms; });
+  ASSERT_TRUE(truth && start);
+  const auto moved = [&](std::size_t i) {
+    return std::hypot(truth->robots()[i].x_m() - start->robots()[i].x_m(),
+                      truth->robots()[i].y_m() - start->robots()[i].y_m());
+  };
+  EXPECT_LT(moved(0), 1e-3);
+  EXPECT_GT(moved(1), 0.2) << "clamped, not refused";
+  EXPECT_LT(moved(1), 1.6 * 30 * 0.032);
+}
+
+TEST_F(WorldProcess, GoesOnWithoutARobotWhoseProcessIsGone) {
+  const PlayedFleet fleet{bus_, {1, 2, 3}, [](auto) { return std::pair{0.1, 0.1}; }};
+  {
+    runtime::Bus other{{.role = "robot_agent 4", .domain = lock_.domain(), .lease_s = 1.0}};
+    const PlayedFleet fourth{other, {4}, [](auto) { return std::pair{0.1, 0.1}; }};
+    ASSERT_TRUE(truths_.first([](const msg::WorldTruth& one) { return one.members().size() == 4; }))
+        << world_.output();
+    other.close();
+  }
+  const auto without = truths_.first([](const msg::WorldTruth& one) { return one.members().size() == 3; });
+  ASSERT_TRUE(without) << world_.output();
+  EXPECT_THAT(without->members(), ElementsAre(1, 2, 3));
+  EXPECT_TRUE(statuses_.first([&](const msg::WorldStatus& one) {
+    return one.disturbed() && one.gone() == std::vector<std::string>{"robot 4"} &&
+           idl::to_time(one.stamp()) > idl::to_time(without->stamp());
+  })) << world_.output();
+}
+
+TEST_F(WorldProcess, NamesARobotThatLivesButDoesNotAnswer) {
+  runtime::Bus other{{.role = "robot_agent 4", .domain = lock_.domain()}};
+  const PlayedFleet fleet{bus_, {1, 2, 3}, [](auto) { return std::pair{0.0, 0.0}; }};
+  const Collector<msg::SensorFramePubSubType> sensors{other, idl::kSensors, 4};
+  auto commands = other.writer<msg::RobotCommandPubSubType>(idl::kCommand, 4);
+  const auto first = sensors.first([](const msg::SensorFrame&) { return true; });
+  ASSERT_TRUE(first);
+  msg::RobotCommand command;
+  command.stamp(first->stamp());
+  command.session(first->session());
+  commands.write(command);  // joins, then says nothing more
+  EXPECT_TRUE(statuses_.first([](const msg::WorldStatus& one) {
+    return one.hung() == std::vector<std::string>{"robot 4"} && one.gone().empty();
+  })) << world_.output();
+  EXPECT_THAT(world_.output(), HasSubstr("robot 4"));
+}
+
+TEST_F(WorldProcess, StopsWithinASecondOnSigterm) {
+  ASSERT_TRUE(statuses_.first([](const msg::WorldStatus&) { return true; }));
+  world_.signal(SIGTERM);
+  EXPECT_EQ(world_.wait(1s), 0) << world_.output();
+}
+
+}  // namespace
+}  // namespace caravan::test
