@@ -31,8 +31,8 @@ struct Config {
   double sonar_range_m = 5.0;
 
   // Exploration (Algorithm 2).
-  double exploration_step_m = 1.0;      ///< to the next location
-  double exploration_spread_rad = 0.9;  ///< a new direction is drawn within this of the heading, at first
+  double exploration_step_m = 1.0;       ///< to the next location
+  double exploration_spread_rad = 1.05;  ///< a new direction is drawn within this of the heading, at first
 
   // Driving.
   double cruise_mps = 0.975;

@@ -18,7 +18,7 @@ constexpr Time kAgain = 15s;
 constexpr double kSamePlace_m = 1.0;
 constexpr double kBacksOff_m = 0.4;
 // A robot ahead that comes no nearer than this drives in the same direction: follow it.
-constexpr double kComes_mps = 0.4;
+constexpr double kComes_mps = 0.2;
 
 }  // namespace
 

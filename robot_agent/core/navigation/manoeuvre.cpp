@@ -13,7 +13,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kFacing_rad = 0.1;
-constexpr double kTooNearAhead_m = 0.2;
+constexpr double kTooNearAhead_m = 0.3;
 constexpr double kTooNearBehind_m = 0.08;
 constexpr double kBackwards_mps = 0.3;
 constexpr Time kMostForALeg = 4s;

@@ -12,7 +12,7 @@ constexpr double kTurnGain = 3.0;          // 1/s
 constexpr double kMostTurn_radps = 2.5;    // rad/s
 constexpr double kTurnsInPlace_rad = 0.8;  // bearings beyond it
 constexpr double kLean_rad = 0.5;
-constexpr double kWantedBeside_m = 0.2;  // free space on either side that a driving robot tries to keep
+constexpr double kWantedBeside_m = 0.3;  // free space on either side that a driving robot tries to keep
 constexpr double kBesideBody_m = 0.04;   // on either side of the body
 
 double turn_rate(double bearing_rad) {

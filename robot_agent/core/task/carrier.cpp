@@ -20,7 +20,7 @@ constexpr double kOnPath_m = 0.6;  // a shortcut begins on the path
 constexpr double kNestedGain_m = 0.4;
 constexpr double kLongestProvisional_m = 8.0;
 constexpr double kProgress_m = 0.5;
-constexpr Time kWithoutProgress = 12s;
+constexpr Time kWithoutProgress = 8s;
 constexpr Time kLongestStep = 200ms;  // longer pauses were exchanges
 constexpr double kFirstWander_m = 2.5;
 constexpr Time kWanderPatience = 20s;
@@ -77,7 +77,7 @@ Motion Carrier::step(const Perception& seen, Driver& driver, pure::Random& rando
     wanders_ = seen.now - last_wander_ < kWanderAgain ? std::min(wanders_ + 1, 3) : 0;
     last_wander_ = seen.now;
     state_ = Wandering{seen.p_WB, kFirstWander_m * std::exp2(wanders_), seen.now + kWanderPatience, {}};
-    notes.add("stuck");
+    notes.add("no_progress");
     return wander(std::get<Wandering>(state_), seen, driver, random);
   }
   return follow(seen, driver, random, notes);

@@ -61,7 +61,7 @@ TEST(Agent, RecordedSensorsGiveTheSameCommandsAgain) {
 }
 
 TEST(Agent, TheDestinationHasNoInfluenceUntilItIsInSight) {
-  const Drive recorded = drive(room(), 3000);
+  const Drive recorded = drive(room(), 12000);
   Config here = room();
   Config elsewhere = room();
   elsewhere.destination = {-300.0, 7000.0};
