@@ -11,6 +11,7 @@ namespace caravan::agent {
 namespace {
 
 constexpr double kReached_m = 0.35;
+constexpr double kAtTheEnd_m = 2.0;
 constexpr double kPicksUp_m = 0.6;     // an old section this near is picked up at once
 constexpr double kSamePoint_m = 0.05;  // as in merge()
 
@@ -130,7 +131,8 @@ void Route::rejoin(const Point& p_WB) {
 }
 
 void Route::turn_round(const Point& p_WB) {
-  confirm();
+  // An end may come near before the shortcut's does: then it has not been driven.
+  if (remaining_m(p_WB) < kAtTheEnd_m && back_.empty()) confirm();
   driven_ = without_loops(driven_);
   towards_destination_ = !towards_destination_;
   plan_from_driven();

@@ -48,7 +48,7 @@ class Route {
   Ends restore(const Point& p_WB);
   /// Drops what is provisional and picks the path up where it is nearest: the robot has wandered.
   void rejoin(const Point& p_WB);
-  /// At an end: what was provisional counts as driven, loops go, and the way leads back.
+  /// At an end: a shortcut that leads there counts as driven, loops go, and the way leads back.
   void turn_round(const Point& p_WB);
   /// A better path with the same ends: adopted; the robot stays on the old one until it meets the new.
   void replace(Path driven, const Point& p_WB);

@@ -33,6 +33,7 @@ constexpr std::array<Mount, kSonarCount> kMounts = {{{0.069, 0.136, 90},
                                                      {-0.237, 0.078, 150},
                                                      {-0.203, 0.119, 130},
                                                      {-0.157, 0.136, 90}}};
+constexpr double kOldest_s = 1.0;  // a robot at cruise has left the place that an older range is about
 constexpr double kOutermostFrontSonar = 50.0 * std::numbers::pi / 180.0;
 
 struct Axis {
@@ -79,6 +80,7 @@ Surroundings::Surroundings(const Sensors& sensors, const Config& config)
     : fan_rad_{kOutermostFrontSonar + 0.5 * config.sonar_aperture_rad} {
   for (std::size_t i = 0; i < kSonarCount; ++i) {
     const double range = sensors.sonar_range_m[i];
+    if (sensors.sonar_age_s[i] > kOldest_s) continue;
     if (i < 8 && !std::isnan(range)) blind_ = false;
     if (!(range >= 0.0 && range < config.sonar_range_m)) continue;
     const Axis& axis = axes()[i];

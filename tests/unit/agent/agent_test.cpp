@@ -5,6 +5,9 @@
 
 #include <limits>
 
+#include "robot_agent/core/angle.hpp"
+#include "robot_agent/core/path/path.hpp"
+#include "runtime/pure/random.hpp"
 #include "tests/support/line_world.hpp"
 
 namespace caravan::agent {
@@ -152,6 +155,41 @@ TEST(Agent, ItsPathBecomesShorterAndNeverLeadsThroughWhatItCouldNotDrive) {
     for (std::size_t i = 1; i < path.size(); ++i) {
       EXPECT_GT((0.5 * (path[i] + path[i - 1])).norm(), 0.9) << "the box's middle";
     }
+  }
+}
+
+bool cross_each_other(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const auto side = [](const Point& p, const Point& q, const Point& r) { return cross(q - p, r - p) > 0.0; };
+  return side(a, b, c) != side(a, b, d) && side(c, d, a) != side(c, d, b);
+}
+
+TEST(AgentProperty, NoPathThatItReportsEverLeadsThroughAWallSeenOrNot) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    pure::Random random{seed, 99};
+    std::vector<test::Wall> walls;
+    for (const double x : {-1.5, 1.0}) {  // at 30 degrees and others to the straight way
+      const Point middle{x, x + random.uniform(-1.0, 1.0)};
+      const Point along = 1.8 * direction(0.785 + random.uniform(0.4, 2.7));
+      walls.push_back({middle - along, middle + along});
+    }
+    Config config = room();
+    config.seed = seed;
+    LineWorld world{config};
+    world.add_walls(test::rectangle({0, 0}, 12, 12));
+    world.add_walls(walls);
+    world.add_robot({-4.0, -4.0}, 0.7);
+    for (int i = 0; i < 25000; ++i) {
+      world.step();
+      if (!world.outputs(0).report.path_changed) continue;
+      const auto& path = world.path(0);
+      for (std::size_t k = 1; k < path.size(); ++k) {
+        for (const test::Wall& wall : walls) {
+          ASSERT_FALSE(cross_each_other(path[k - 1], path[k], wall.a, wall.b)) << "at " << world.now_s();
+        }
+      }
+    }
+    EXPECT_GE(world.delivered(0), 3U);
   }
 }
 

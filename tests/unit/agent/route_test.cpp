@@ -94,6 +94,13 @@ TEST(Route, AShortcutOnTheWayBackShortensTheSamePath) {
   EXPECT_TRUE(route.towards_destination());
 }
 
+TEST(Route, AShortcutThatWasNotDrivenToItsEndIsDroppedAtTheEndOfTheWay) {
+  Route route{kBowed, false, {4, 0}};
+  route.shorten({4, 0}, route.plan().size() - 1, 1.0);
+  route.turn_round({3.5, 0});
+  EXPECT_EQ(route.driven(), kBowed);
+}
+
 TEST(Route, ABetterPathIsTakenWhereTheOldOneMeetsIt) {
   const Path upper = {{0, 0}, {0, 4}, {4, 4}, {8, 4}, {8, 0}};
   const Path merged = {{0, 0}, {4, 0}, {8, 0}};

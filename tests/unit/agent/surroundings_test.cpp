@@ -59,6 +59,15 @@ TEST(Surroundings, UnknownRangesAreNoEchoesAndWithoutAnyTheRobotIsBlind) {
   EXPECT_TRUE(std::isinf(around.clearance_m({.bearing_rad = 0.0})));
 }
 
+TEST(Surroundings, ARangeOlderThanASecondIsUnknown) {
+  Sensors sensors;
+  sensors.sonar_range_m.fill(1.0);
+  sensors.sonar_age_s.fill(0.3);
+  EXPECT_LT((Surroundings{sensors, {}}.clearance_m({.bearing_rad = 0.0})), 1.3);
+  sensors.sonar_age_s.fill(1.1);
+  EXPECT_TRUE((Surroundings{sensors, {}}.is_blind()));
+}
+
 TEST(Surroundings, TheFrontFanHasNoGap) {
   Sensors sensors;
   const Surroundings around{sensors, {}};
