@@ -94,6 +94,7 @@ Outputs Agent::Impl::step(const Inputs& inputs) {
     motion = driver.stand(Activity::kIdle);
   } else {
     motion = decide(*seen, notes);
+    if (motion.obstruction == Obstruction::kTouch) notes.add("touched");
   }
 
   Outputs outputs;
