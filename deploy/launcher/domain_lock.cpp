@@ -7,7 +7,9 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
+#include "deploy/launcher/shared_memory.hpp"
 #include "runtime/config/start_error.hpp"
 
 namespace caravan::deploy {
@@ -34,14 +36,20 @@ DomainLock::DomainLock(std::optional<std::uint32_t> wanted) {
   if (wanted) {
     domain_ = *wanted;
     file_ = try_lock(domain_);
+    if (file_ >= 0) remove_dead_ports(domain_);
     return;
   }
   for (domain_ = kFirst; domain_ <= kLast; ++domain_) {
     file_ = try_lock(domain_);
-    if (file_ >= 0) return;
+    if (file_ < 0) continue;
+    if (!has_living_ports(domain_)) {
+      remove_dead_ports(domain_);
+      return;
+    }
+    close(std::exchange(file_, -1));  // somebody who takes no locks works here
   }
   throw runtime::StartError{"no free DDS domain: every one from " + std::to_string(kFirst) + " to " +
-                            std::to_string(kLast) + " is locked by another run"};
+                            std::to_string(kLast) + " is in use"};
 }
 
 DomainLock::~DomainLock() {

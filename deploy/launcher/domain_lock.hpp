@@ -8,8 +8,8 @@ namespace caravan::deploy {
 
 /// A DDS domain that no other run on this machine uses, held until destruction.
 ///
-/// The lock is a file in the temporary directory, shared by all users; it names the domain and ends with the
-/// process.
+/// Dead processes' ports in it are removed first. The lock is a file in the temporary directory, shared by
+/// all users; it names the domain and ends with the process.
 class DomainLock {
  public:
   /// @param wanted  this one, whether others use it or not; none: a free one

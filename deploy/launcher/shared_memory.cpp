@@ -55,6 +55,17 @@ std::string without_lock_mark(const std::string& name) {
   return name.ends_with("_el") ? name.substr(0, name.size() - 3) : name;
 }
 
+template <typename Ours>
+void remove_unused(Ours is_ours) {
+  const std::set<std::string> in_use = mapped_by_the_living();
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator{kFolder, error}) {
+    const std::string name = entry.path().filename();
+    if (!is_ours(name) || in_use.contains(name) || in_use.contains(without_lock_mark(name))) continue;
+    fs::remove(entry.path(), error);
+  }
+}
+
 }  // namespace
 
 void SharedMemory::note(pid_t process) {
@@ -64,14 +75,19 @@ void SharedMemory::note(pid_t process) {
 }
 
 void SharedMemory::remove_leftovers() const {
+  remove_unused([this](const std::string& name) {
+    return is_port_of(name, domain_) || segments_.contains(without_lock_mark(name));
+  });
+}
+
+bool has_living_ports(std::uint32_t domain) {
   const std::set<std::string> in_use = mapped_by_the_living();
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator{kFolder, error}) {
-    const std::string name = entry.path().filename();
-    const bool ours = is_port_of(name, domain_) || segments_.contains(without_lock_mark(name));
-    if (!ours || in_use.contains(name) || in_use.contains(without_lock_mark(name))) continue;
-    fs::remove(entry.path(), error);
-  }
+  return std::any_of(in_use.begin(), in_use.end(),
+                     [&](const std::string& name) { return is_port_of(name, domain); });
+}
+
+void remove_dead_ports(std::uint32_t domain) {
+  remove_unused([domain](const std::string& name) { return is_port_of(name, domain); });
 }
 
 }  // namespace caravan::deploy

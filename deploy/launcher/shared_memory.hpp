@@ -9,6 +9,13 @@
 
 namespace caravan::deploy {
 
+/// Whether a living process has a DDS port of the domain mapped: the domain is in use, by whomever.
+[[nodiscard]] bool has_living_ports(std::uint32_t domain);
+/// Removes the domain's DDS port files that no living process has mapped. A process that was killed while it
+/// made a port leaves one at which every later participant of the domain would hang.
+/// @pre nobody is starting in the domain
+void remove_dead_ports(std::uint32_t domain);
+
 /// The shared-memory files that a run's processes leave behind when they are killed.
 ///
 /// A killed process cannot remove its DDS segments, so they are noted while it lives. Only files of the run's

@@ -6,6 +6,10 @@
 #include <fastrtps/attributes/LibrarySettingsAttributes.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
@@ -18,6 +22,7 @@
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <map>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 #include "runtime/bus/qos.hpp"
@@ -46,6 +51,38 @@ void prepare_process() {
   settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
   eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
 }
+
+/// Ends the process when DDS does not come back from making a participant: there is no way to interrupt it.
+class StartDeadline {
+ public:
+  explicit StartDeadline(std::uint32_t domain) : watcher_{[this, domain] { watch(domain); }} {}
+  ~StartDeadline() {
+    {
+      const std::lock_guard lock{mutex_};
+      made_ = true;
+    }
+    changed_.notify_all();
+    watcher_.join();
+  }
+  StartDeadline(const StartDeadline&) = delete;
+  StartDeadline& operator=(const StartDeadline&) = delete;
+
+ private:
+  void watch(std::uint32_t domain) {
+    std::unique_lock lock{mutex_};
+    if (changed_.wait_for(lock, std::chrono::seconds{15}, [this] { return made_; })) return;
+    std::fprintf(stderr,
+                 "DDS hangs while joining domain %u: a killed process has left a broken port there; remove "
+                 "/dev/shm/*fastrtps_port%u* to %u* or take another domain\n",
+                 domain, 7400 + 250 * domain, 7649 + 250 * domain);
+    std::_Exit(2);
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool made_ = false;
+  std::thread watcher_;
+};
 
 /// Turns Fast DDS's discovery callbacks into Discovery values.
 class DiscoveryListener final : public dds::DomainParticipantListener {
@@ -147,8 +184,11 @@ Bus::Bus(const BusConfig& config, DiscoveryCallback discovered)
   (void)prepared;
   impl_->identity = own_identity(config.role);
   const dds::DomainParticipantQos qos = participant_qos(to_name(impl_->identity), config);
-  impl_->participant = dds::DomainParticipantFactory::get_instance()->create_participant(
-      config.domain, qos, &impl_->listener, dds::StatusMask::none());
+  {
+    const StartDeadline deadline{config.domain};
+    impl_->participant = dds::DomainParticipantFactory::get_instance()->create_participant(
+        config.domain, qos, &impl_->listener, dds::StatusMask::none());
+  }
   if (impl_->participant == nullptr) {
     throw StartError{"DDS refused a participant in domain " + std::to_string(config.domain) +
                      ": is /dev/shm writable and the domain 0 to 232?"};
