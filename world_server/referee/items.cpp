@@ -8,7 +8,7 @@
 namespace caravan::world {
 
 Items::Items(const ItemRules& rules, std::uint32_t robots)
-    : rules_{rules}, grippers_(robots), stock_{rules.items} {}
+    : rules_{rules}, grippers_(robots), stock_{rules.items + robots} {}
 
 bool Items::is_at(Point site, const Pose& pose) const {
   return length(Point{pose.x_m, pose.y_m} - site) <= rules_.service_radius_m;

@@ -14,7 +14,7 @@ struct ItemRules {
   Point source;
   Point destination;
   double service_radius_m = 1.5;  ///< ends included
-  std::uint32_t items = 0;        ///< that the source has; 0: any number
+  std::uint32_t items = 0;        ///< to deliver; 0: any number
 };
 
 /// Where the items are.
@@ -24,7 +24,9 @@ struct ItemRules {
 /// | closes | takes an item if there is one | holds nothing, counted | holds nothing, counted |
 /// | opens, holding | item goes back to the stock | delivered | item goes back to the stock |
 ///
-/// No item is ever lost: stock + held + delivered stays the same. A gripper that stays as it is does nothing.
+/// The source begins with one item more for each robot than is to be delivered, so that a robot that is lost
+/// with an item in its gripper does not keep the others from finishing. No item is ever lost: stock + held +
+/// delivered stays the same. A gripper that stays as it is does nothing.
 class Items {
  public:
   Items(const ItemRules& rules, std::uint32_t robots);

@@ -26,7 +26,7 @@ TEST(Items, AGripperThatClosesAtTheSourceTakesOne) {
   EXPECT_EQ(event->kind, ItemEvent::Kind::kPickUp);
   EXPECT_EQ(event->robot, 1U);
   EXPECT_TRUE(items.holds(1));
-  EXPECT_EQ(items.stock(), 1U);
+  EXPECT_EQ(items.stock(), 2U);
 }
 
 TEST(Items, TheServiceRadiusIsPartOfTheSite) {
@@ -59,17 +59,28 @@ TEST(Items, AGripperThatOpensAtTheDestinationDelivers) {
 TEST(Items, OneDroppedElsewhereGoesBackToTheStock) {
   Items items{rules(1), 1};
   static_cast<void>(items.grip(1, kSource, true));
-  EXPECT_EQ(items.stock(), 0U);
-  EXPECT_FALSE(items.grip(1, kElsewhere, false));
   EXPECT_EQ(items.stock(), 1U);
+  EXPECT_FALSE(items.grip(1, kElsewhere, false));
+  EXPECT_EQ(items.stock(), 2U);
   EXPECT_TRUE(items.grip(1, kSource, true));
 }
 
 TEST(Items, AnEmptySourceGivesNothingAndCountsTheClosing) {
   Items items{rules(1), 2};
-  EXPECT_TRUE(items.grip(1, kSource, true));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(items.grip(1, kSource, true));
+    EXPECT_TRUE(items.grip(1, kDestination, false));
+  }
   EXPECT_FALSE(items.grip(2, kSource, true));
   EXPECT_EQ(items.empty_closings(), 1U);
+}
+
+TEST(Items, ARobotLostWithAnItemDoesNotKeepTheOthersFromFinishing) {
+  Items items{rules(1), 2};
+  EXPECT_TRUE(items.grip(1, kSource, true));
+  EXPECT_TRUE(items.grip(2, kSource, true));
+  EXPECT_TRUE(items.grip(2, kDestination, false));
+  EXPECT_TRUE(items.all_delivered());
 }
 
 TEST(Items, WithoutANumberTheSourceNeverEndsAndNothingIsFinished) {
@@ -92,7 +103,7 @@ TEST(Items, NoneIsEverLostOrMade) {
       static_cast<void>(items.grip(robot, {random.uniform(-3.0, 13.0), 0.0, 0.0}, random.chance(0.5)));
       std::uint32_t held = 0;
       for (std::uint32_t one = 1; one <= 4; ++one) held += items.holds(one) ? 1U : 0U;
-      ASSERT_EQ(items.stock() + held + items.delivered(), 5U);
+      ASSERT_EQ(items.stock() + held + items.delivered(), 9U) << "5 to deliver and one for each of 4 robots";
     }
   }
 }
