@@ -25,7 +25,7 @@ endif()
 add_library(caravan_warnings INTERFACE)
 target_compile_options(caravan_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 # GCC 12 sees overlapping copies in std::string's operator+ where there are none (GCC bug 105651), from -O3 on.
-target_compile_options(caravan_warnings INTERFACE -Wno-restrict)
+target_compile_options(caravan_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 
 # caravan_library(NAME SOURCES... LINK ...): a static library whose headers are included from the repository root.
 function(caravan_library name)
