@@ -33,9 +33,6 @@ class RunRecord {
   /// @return the exit code of the run
   int close(const RunEnd& end);
 
-  [[nodiscard]] const Metrics& metrics() const { return metrics_; }
-  [[nodiscard]] const RunFacts& facts() const { return facts_; }
-
  private:
   void write_summary(const RunEnd& end, bool ended);
 

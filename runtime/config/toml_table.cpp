@@ -18,6 +18,11 @@ std::string at_line(const std::string& file, const toml::node* node) {
   return file + ":" + std::to_string(node->source().begin.line);
 }
 
+[[noreturn]] void fail_to_parse(const std::string& file, const toml::parse_error& wrong) {
+  throw StartError{file + ":" + std::to_string(wrong.source().begin.line) + ": " +
+                   std::string{wrong.description()}};
+}
+
 std::string in_words(double value) {
   std::ostringstream out;
   out << value;
@@ -209,18 +214,18 @@ TomlDocument TomlDocument::load(const std::filesystem::path& file) {
   try {
     return {file.string(), std::make_shared<const toml::table>(toml::parse_file(file.string()))};
   } catch (const toml::parse_error& wrong) {
-    throw StartError{file.string() + ":" + std::to_string(wrong.source().begin.line) + ": " +
-                     std::string{wrong.description()}};
+    fail_to_parse(file.string(), wrong);
   }
 }
 
 TomlDocument TomlDocument::parse(std::string_view text, std::string name) {
+  std::shared_ptr<const toml::table> tree;
   try {
-    return {name, std::make_shared<const toml::table>(toml::parse(text))};
+    tree = std::make_shared<const toml::table>(toml::parse(text));
   } catch (const toml::parse_error& wrong) {
-    throw StartError{name + ":" + std::to_string(wrong.source().begin.line) + ": " +
-                     std::string{wrong.description()}};
+    fail_to_parse(name, wrong);
   }
+  return {std::move(name), std::move(tree)};
 }
 
 TomlTable TomlDocument::root() const { return {file_, "", tree_.get()}; }

@@ -66,7 +66,6 @@ class Barrier {
   [[nodiscard]] std::vector<std::uint32_t> hung(Wall now) const;
   /// Robots (and 0 for the radio) that were lost and have not come back.
   [[nodiscard]] std::vector<std::uint32_t> gone() const;
-  [[nodiscard]] bool radio_joined() const { return radio_ == Radio::kJoined; }
   [[nodiscard]] bool disturbed() const { return disturbed_; }
 
  private:

@@ -79,7 +79,7 @@ struct Dynamics::Impl {
     for (std::uint32_t i = 0; i < places.size(); ++i) {
       neighbours.near(places[i], found);
       for (const std::uint32_t k : found) {
-        if (k > i) pairs.push_back({i, k});
+        if (k > i) pairs.emplace_back(i, k);
       }
     }
   }

@@ -78,8 +78,8 @@ void Sonars::add_sides(const Solid& solid, std::vector<Face>& faces, std::vector
   for (std::size_t i = 0; i < solid.outline.size(); ++i) {
     const Point begin = solid.outline[i];
     const Point side = solid.outline[(i + 1) % solid.outline.size()] - begin;
-    const double long_ = length(side);
-    faces.push_back({begin, (1.0 / long_) * side, long_, solid.height});
+    const double side_m = length(side);
+    faces.push_back({begin, (1.0 / side_m) * side, side_m, solid.height});
   }
 }
 
