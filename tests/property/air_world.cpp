@@ -33,7 +33,7 @@ Path path_of(std::uint16_t id, std::size_t points) {
   return path;
 }
 
-AirWorld::AirWorld(std::uint64_t seed, Config config)
+AirWorld::AirWorld(std::uint64_t seed, const Config& config)
     : now{config.sharing_starts}, config_{config}, random_{seed, 99} {}
 
 void AirWorld::add(std::uint16_t id, Path path) {

@@ -36,7 +36,7 @@ class AirWorld {
     std::map<std::uint16_t, Time> rejected;  // when last
   };
 
-  AirWorld(std::uint64_t seed, Config config);
+  AirWorld(std::uint64_t seed, const Config& config);
   void add(std::uint16_t id, Path path);
   void remove(std::uint16_t id);
   void restart(std::uint16_t id);
