@@ -3,6 +3,7 @@
 
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 
+#include <filesystem>
 #include <memory>
 
 namespace caravan::runtime {
@@ -41,6 +42,26 @@ void set_common(Qos& qos, idl::Delivery delivery) {
   qos.data_sharing().off();  // slower here, and more threads
 }
 
+/// The lowest participant number of the domain whose ports nobody has used yet, -1 when there is none.
+///
+/// DDS itself would take the lowest that nobody uses now. But processes that have sent to a killed one keep
+/// its ports mapped and go on sending into them: whoever gets the same numbers is never heard from by
+/// anybody.
+std::int32_t fresh_number(std::uint32_t domain) {
+  constexpr std::uint32_t kFirstPort = 7410;
+  constexpr std::uint32_t kPortsOfADomain = 250;
+  constexpr std::int32_t kNumbers = 120;
+  const auto is_used = [](std::uint32_t port) {
+    std::error_code error;
+    return std::filesystem::exists("/dev/shm/fastrtps_port" + std::to_string(port), error);
+  };
+  for (std::int32_t number = 0; number < kNumbers; ++number) {
+    const std::uint32_t port = kFirstPort + kPortsOfADomain * domain + 2 * static_cast<std::uint32_t>(number);
+    if (!is_used(port) && !is_used(port + 1)) return number;
+  }
+  return -1;
+}
+
 eprosima::fastrtps::Duration_t milliseconds(std::uint32_t count) {
   return {static_cast<std::int32_t>(count / 1000), count % 1000 * 1'000'000};
 }
@@ -59,6 +80,7 @@ dds::DomainParticipantQos participant_qos(const std::string& name, const BusConf
   qos.name(name.c_str());
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(config.transport ? config.transport : shared_memory());
+  qos.wire_protocol().participant_id = fresh_number(config.domain);
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
   discovery.leaseDuration = eprosima::fastrtps::Duration_t{static_cast<long double>(config.lease_s)};
   discovery.leaseDuration_announcementperiod =
