@@ -88,6 +88,7 @@ Observer::~Observer() { bus_.close(); }
 
 void Observer::on_truth(const msg::WorldTruth& truth) {
   const std::lock_guard lock{mutex_};
+  if (truth.session() < session_) return;
   session_ = truth.session();
   if (open_ && idl::to_time(truth.stamp()) <= open_->stamp) {
     open_->members = truth.members();  // the same step again, without whom it lost
@@ -116,7 +117,11 @@ void Observer::close_step() {
 }
 
 void Observer::on_telemetry(std::uint32_t robot, const msg::Telemetry& telemetry) {
+  const bool is_known = telemetry.mode() <= msg::Telemetry_Constants::MODE_TRANSPORT &&
+                        telemetry.activity() <= msg::Telemetry_Constants::ACTIVITY_EXCHANGING &&
+                        telemetry.origin() <= msg::Telemetry_Constants::ORIGIN_RECEIVED;
   const std::lock_guard lock{mutex_};
+  if (!is_known || telemetry.session() < session_) return;
   agent_compute_s_[robot] = telemetry.compute_s();
   reports_.emplace(idl::to_time(telemetry.stamp()), to_report(robot, telemetry));
 }

@@ -146,7 +146,7 @@ void RadioShell::evaluate(bool in_time) {
     step.session(session_);
     for (const Reception& reception : receptions) step.receivers().push_back(reception.robot);
     step.chain(chain_.value());
-    radio_steps_.write(step);
+    refused_writes_ += radio_steps_.write(step) ? 0U : 1U;
   }
   publish_receptions(receptions, open_->next_stamp());
   open_.reset();
@@ -166,7 +166,7 @@ void RadioShell::publish_receptions(const std::vector<Reception>& receptions,
       sample.frames().push_back(std::move(received));
     }
     deliveries_ += reception.frames.size();
-    receives_[reception.robot - 1].write(sample);
+    refused_writes_ += receives_[reception.robot - 1].write(sample) ? 0U : 1U;
   }
 }
 
@@ -193,6 +193,10 @@ void RadioShell::publish_status() {
   for (const std::uint32_t robot : awaited()) status.awaited().push_back("robot " + std::to_string(robot));
   status.compute_s(std::chrono::duration<double>(compute_).count());
   statuses_.write(status);
+  if (refused_writes_ > 0 && !told_refused_writes_) {
+    spdlog::error("DDS refused a sample: the world or an agent may be waiting for it");
+    told_refused_writes_ = true;
+  }
 }
 
 }  // namespace caravan::radio

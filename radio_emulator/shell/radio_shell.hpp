@@ -67,6 +67,8 @@ class RadioShell {
   std::uint64_t steps_ = 0;
   std::uint64_t deliveries_ = 0;
   std::uint64_t stale_samples_ = 0;
+  std::uint64_t refused_writes_ = 0;
+  bool told_refused_writes_ = false;
   std::chrono::nanoseconds compute_{0};
 
   std::mutex mailbox_mutex_;

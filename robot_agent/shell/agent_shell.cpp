@@ -143,8 +143,12 @@ void AgentShell::watch(Wall now) {
                               std::to_string(holder.pid) + " on host " + holder.host +
                               ": stop that one or choose another number"};
   }
+  if (refused_writes_ > 0 && !told_refused_writes_) {
+    spdlog::error("DDS refused a sample: the world or an observer may be waiting for it");
+    told_refused_writes_ = true;
+  }
   if (waiting_ && now >= waiting_until_) {
-    if (radio_timeouts_++ == 0) spdlog::warn("radio due but silent for 1 s: stepping without it");
+    spdlog::warn("radio due but silent for 1 s: stepping without it, count={}", ++radio_timeouts_);
     step(*waiting_);
   }
   if (session_ == 0 && !said_waiting_ && now - began_ >= kSayWaitingAfter) {

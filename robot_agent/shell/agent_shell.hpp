@@ -57,6 +57,7 @@ class AgentShell {
   bool said_waiting_ = false;
   std::uint64_t radio_timeouts_ = 0;
   std::uint64_t refused_writes_ = 0;
+  bool told_refused_writes_ = false;
   std::chrono::nanoseconds compute_{0};
   std::optional<Clash> clash_;
 

@@ -32,7 +32,8 @@ struct BusConfig {
   std::string role;
   std::uint32_t domain = 0;
   double lease_s = 5.0;  ///< a participant silent for so long is gone
-  /// What the samples travel by; null: shared memory.
+  /// What the samples travel by; null: shared memory. Any other is over UDP on this machine: loopback_udp()
+  /// or one around it.
   std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport = {};
 };
 

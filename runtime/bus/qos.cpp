@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/bus/qos.hpp"
 
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
 
 #include <filesystem>
 #include <memory>
@@ -62,6 +64,15 @@ std::int32_t fresh_number(std::uint32_t domain) {
   return -1;
 }
 
+/// By unicast to the first participants of this machine; a list of our own keeps DDS from using multicast.
+void look_for_peers_on_loopback(rtps::BuiltinAttributes& builtin) {
+  rtps::Locator_t loopback;
+  loopback.kind = LOCATOR_KIND_UDPv4;
+  rtps::IPLocator::setIPv4(loopback, "127.0.0.1");
+  builtin.metatrafficUnicastLocatorList.push_back(loopback);
+  builtin.initialPeersList.push_back(loopback);
+}
+
 eprosima::fastrtps::Duration_t milliseconds(std::uint32_t count) {
   return {static_cast<std::int32_t>(count / 1000), count % 1000 * 1'000'000};
 }
@@ -75,12 +86,22 @@ std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_me
   return transport;
 }
 
+std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> loopback_udp() {
+  auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  transport->interfaceWhiteList.emplace_back("127.0.0.1");
+  return transport;
+}
+
 dds::DomainParticipantQos participant_qos(const std::string& name, const BusConfig& config) {
   dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
   qos.name(name.c_str());
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.push_back(config.transport ? config.transport : shared_memory());
-  qos.wire_protocol().participant_id = fresh_number(config.domain);
+  if (config.transport) {
+    look_for_peers_on_loopback(qos.wire_protocol().builtin);
+  } else {
+    qos.wire_protocol().participant_id = fresh_number(config.domain);
+  }
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
   discovery.leaseDuration = eprosima::fastrtps::Duration_t{static_cast<long double>(config.lease_s)};
   discovery.leaseDuration_announcementperiod =

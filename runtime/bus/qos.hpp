@@ -16,6 +16,8 @@ namespace caravan::runtime {
 
 /// The transport of a run on one machine: nothing leaves it.
 [[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory();
+/// UDP over 127.0.0.1 alone. Peers are found by unicast; no multicast is sent.
+[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> loopback_udp();
 [[nodiscard]] eprosima::fastdds::dds::DomainParticipantQos participant_qos(const std::string& name,
                                                                            const BusConfig& config);
 [[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(idl::Delivery delivery);

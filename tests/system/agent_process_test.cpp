@@ -133,7 +133,7 @@ agent::Inputs to_inputs(const msg::SensorFrame& frame) {
 TEST_F(AgentProcess, AnswersRecordedSensorsWithoutAWorldBitForBit) {
   const Process process{agent("1"), folder_ / "agent.log"};
   runtime::Bus bus{bus_config()};
-  const Collector<msg::RobotCommandPubSubType> commands{bus, idl::kCommand, 1};
+  const Collector<msg::RobotCommandPubSubType> commands{bus_config(), idl::kCommand, 1};
   auto sensors = bus.writer<msg::SensorFramePubSubType>(idl::kSensors, 1);
   agent::Agent twin{agent::load_config(runtime::TomlDocument::load(scenario("small.toml")), 1)};
   bool moved = false;
@@ -158,7 +158,7 @@ TEST_F(AgentProcess, AnswersRecordedSensorsWithoutAWorldBitForBit) {
 TEST_F(AgentProcess, StepsWithoutARadioThatIsDueButSilentAndSaysSo) {
   const Process process{agent("1"), folder_ / "agent.log"};
   runtime::Bus bus{bus_config()};
-  const Collector<msg::RobotCommandPubSubType> commands{bus, idl::kCommand, 1};
+  const Collector<msg::RobotCommandPubSubType> commands{bus_config(), idl::kCommand, 1};
   auto sensors = bus.writer<msg::SensorFramePubSubType>(idl::kSensors, 1);
   msg::SensorFrame frame = recorded_frame(0);
   frame.radio_due(true);
@@ -170,7 +170,7 @@ TEST_F(AgentProcess, StepsWithoutARadioThatIsDueButSilentAndSaysSo) {
 TEST_F(AgentProcess, WaitsForTheRadioThatIsDue) {
   const Process process{agent("1"), folder_ / "agent.log"};
   runtime::Bus bus{bus_config()};
-  const Collector<msg::RobotCommandPubSubType> commands{bus, idl::kCommand, 1};
+  const Collector<msg::RobotCommandPubSubType> commands{bus_config(), idl::kCommand, 1};
   auto sensors = bus.writer<msg::SensorFramePubSubType>(idl::kSensors, 1);
   auto receives = bus.writer<msg::RadioReceivePubSubType>(idl::kRadioReceive, 1);
   msg::SensorFrame frame = recorded_frame(0);

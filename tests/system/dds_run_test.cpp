@@ -154,5 +154,18 @@ TEST_F(DdsRun, TheSwarmGoesOnWithoutARobotThatWasKilled) {
   expect_nothing_left();
 }
 
+TEST_F(DdsRun, ARobotThatWasKilledAndStartedAgainRejoins) {
+  Process caravan{run({"--items", "1000", "--max-time", "3000"}), folder_ / "caravan.log"};
+  ASSERT_TRUE(seen("delivery")) << caravan.output();
+  ASSERT_EQ(kill(pid_of("robot_agent", "--robot 2"), SIGKILL), 0);
+  const Process again{{"robot_agent", "--scenario", folder_ / "out/scenario.toml", "--domain",
+                       std::to_string(lock_.domain()), "--robot", "2"},
+                      folder_ / "again.log"};
+  EXPECT_TRUE(seen("left")) << caravan.output();
+  EXPECT_TRUE(seen("joined")) << again.output();
+  caravan.signal(SIGINT);
+  EXPECT_EQ(caravan.wait(10s), 130);
+}
+
 }  // namespace
 }  // namespace caravan::test

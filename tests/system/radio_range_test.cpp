@@ -50,9 +50,10 @@ class RadioProcess : public ::testing::Test {
   deploy::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
   Process radio_;
-  runtime::Bus bus_{{.role = "test", .domain = lock_.domain()}};
-  Collector<msg::RadioStepPubSubType> steps_{bus_, idl::kRadioStep};
-  Collector<msg::RadioReceivePubSubType> received_{bus_, idl::kRadioReceive, 2};
+  const runtime::BusConfig bus_config_{.role = "test", .domain = lock_.domain()};
+  runtime::Bus bus_{bus_config_};
+  Collector<msg::RadioStepPubSubType> steps_{bus_config_, idl::kRadioStep};
+  Collector<msg::RadioReceivePubSubType> received_{bus_config_, idl::kRadioReceive, 2};
 
  private:
   static msg::RobotTruth at(std::uint32_t robot, double x_m) {

@@ -17,28 +17,18 @@ using namespace std::chrono_literals;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-constexpr std::uint32_t kRobots = 4;
-
-/// Answers every sensor frame of the robots with a command of the test's choice, and every truth as a radio
-/// that hears nothing.
+/// Robots, on a participant of their own: answers every sensor frame with a command of the test's choice.
 class PlayedFleet {
  public:
   using Choose = std::function<std::pair<double, double>(std::uint32_t robot)>;
 
-  PlayedFleet(runtime::Bus& bus, std::vector<std::uint32_t> robots, Choose choose)
-      : choose_{std::move(choose)} {
-    radio_steps_ = bus.writer<msg::RadioStepPubSubType>(idl::kRadioStep);
+  PlayedFleet(const runtime::BusConfig& bus, const std::vector<std::uint32_t>& robots, Choose choose)
+      : choose_{std::move(choose)}, bus_{bus} {
     for (const std::uint32_t robot : robots) {
-      commands_[robot] = bus.writer<msg::RobotCommandPubSubType>(idl::kCommand, robot);
+      commands_[robot] = bus_.writer<msg::RobotCommandPubSubType>(idl::kCommand, robot);
     }
-    bus.reader<msg::WorldTruthPubSubType>(idl::kTruth, 0, [this](const msg::WorldTruth& truth, const auto&) {
-      msg::RadioStep step;
-      step.stamp(truth.stamp());
-      step.session(truth.session());
-      radio_steps_.write(step);
-    });
     for (const std::uint32_t robot : robots) {
-      bus.reader<msg::SensorFramePubSubType>(
+      bus_.reader<msg::SensorFramePubSubType>(
           idl::kSensors, robot,
           [this, robot](const msg::SensorFrame& frame, const auto&) { answer(robot, frame); });
     }
@@ -56,8 +46,26 @@ class PlayedFleet {
   }
 
   Choose choose_;
-  runtime::Writer<msg::RadioStepPubSubType> radio_steps_;
   std::map<std::uint32_t, runtime::Writer<msg::RobotCommandPubSubType>> commands_;
+  runtime::Bus bus_;  // last, so that no callback outlives the rest
+};
+
+/// A radio, on a participant of its own, that hears nothing.
+class PlayedRadio {
+ public:
+  explicit PlayedRadio(const runtime::BusConfig& bus) : bus_{bus} {
+    steps_ = bus_.writer<msg::RadioStepPubSubType>(idl::kRadioStep);
+    bus_.reader<msg::WorldTruthPubSubType>(idl::kTruth, 0, [this](const msg::WorldTruth& truth, const auto&) {
+      msg::RadioStep step;
+      step.stamp(truth.stamp());
+      step.session(truth.session());
+      steps_.write(step);
+    });
+  }
+
+ private:
+  runtime::Writer<msg::RadioStepPubSubType> steps_;
+  runtime::Bus bus_;
 };
 
 class WorldProcess : public ::testing::Test {
@@ -69,13 +77,14 @@ class WorldProcess : public ::testing::Test {
   deploy::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
   Process world_{world(), folder_ / "world.log"};
-  runtime::Bus bus_{{.role = "test", .domain = lock_.domain()}};
-  Collector<msg::WorldStatusPubSubType> statuses_{bus_, idl::kWorldStatus};
-  Collector<msg::WorldTruthPubSubType> truths_{bus_, idl::kTruth};
+  const runtime::BusConfig config_{.role = "test", .domain = lock_.domain(), .lease_s = 1.0};
+  PlayedRadio radio_{config_};
+  Collector<msg::WorldStatusPubSubType> statuses_{config_, idl::kWorldStatus};
+  Collector<msg::WorldTruthPubSubType> truths_{config_, idl::kTruth};
 };
 
 TEST_F(WorldProcess, ListsWhoIsMissingAtTheStart) {
-  const PlayedFleet fleet{bus_, {1, 3}, [](auto) { return std::pair{0.0, 0.0}; }};
+  const PlayedFleet fleet{config_, {1, 3}, [](auto) { return std::pair{0.0, 0.0}; }};
   EXPECT_TRUE(statuses_.first([](const msg::WorldStatus& status) {
     return status.state() == msg::WorldStatus_Constants::WAITING &&
            status.missing() == std::vector<std::string>{"robot 2", "robot 4"};
@@ -85,7 +94,7 @@ TEST_F(WorldProcess, ListsWhoIsMissingAtTheStart) {
 TEST_F(WorldProcess, RefusesCommandsThatAreNotFiniteAndClampsThoseOverTheLimit) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const PlayedFleet fleet{
-      bus_, {1, 2, 3, 4}, [nan](std::uint32_t robot) {
+      config_, {1, 2, 3, 4}, [nan](std::uint32_t robot) {
         return robot == 1 ? std::pair{nan, 0.5} : robot == 2 ? std::pair{99.0, 99.0} : std::pair{0.0, 0.0};
       }};
   const auto status = statuses_.first([](const msg::WorldStatus& one) { return one.steps() > 60; });
@@ -109,13 +118,11 @@ TEST_F(WorldProcess, RefusesCommandsThatAreNotFiniteAndClampsThoseOverTheLimit) 
 }
 
 TEST_F(WorldProcess, GoesOnWithoutARobotWhoseProcessIsGone) {
-  const PlayedFleet fleet{bus_, {1, 2, 3}, [](auto) { return std::pair{0.1, 0.1}; }};
+  const PlayedFleet fleet{config_, {1, 2, 3}, [](auto) { return std::pair{0.1, 0.1}; }};
   {
-    runtime::Bus other{{.role = "robot_agent 4", .domain = lock_.domain(), .lease_s = 1.0}};
-    const PlayedFleet fourth{other, {4}, [](auto) { return std::pair{0.1, 0.1}; }};
+    const PlayedFleet fourth{config_, {4}, [](auto) { return std::pair{0.1, 0.1}; }};
     ASSERT_TRUE(truths_.first([](const msg::WorldTruth& one) { return one.members().size() == 4; }))
         << world_.output();
-    other.close();
   }
   const auto without = truths_.first([](const msg::WorldTruth& one) { return one.members().size() == 3; });
   ASSERT_TRUE(without) << world_.output();
@@ -127,10 +134,10 @@ TEST_F(WorldProcess, GoesOnWithoutARobotWhoseProcessIsGone) {
 }
 
 TEST_F(WorldProcess, NamesARobotThatLivesButDoesNotAnswer) {
-  runtime::Bus other{{.role = "robot_agent 4", .domain = lock_.domain()}};
-  const PlayedFleet fleet{bus_, {1, 2, 3}, [](auto) { return std::pair{0.0, 0.0}; }};
-  const Collector<msg::SensorFramePubSubType> sensors{other, idl::kSensors, 4};
-  auto commands = other.writer<msg::RobotCommandPubSubType>(idl::kCommand, 4);
+  const PlayedFleet fleet{config_, {1, 2, 3}, [](auto) { return std::pair{0.0, 0.0}; }};
+  const Collector<msg::SensorFramePubSubType> sensors{config_, idl::kSensors, 4};
+  runtime::Bus fourth{config_};
+  auto commands = fourth.writer<msg::RobotCommandPubSubType>(idl::kCommand, 4);
   const auto first = sensors.first([](const msg::SensorFrame&) { return true; });
   ASSERT_TRUE(first);
   msg::RobotCommand command;

@@ -19,11 +19,17 @@ void open_ode() {
 
 }  // namespace
 
-OdeSession::OdeSession() : world_{(open_ode(), dWorldCreate())}, contacts_{dJointGroupCreate(0)} {}
+OdeSession::OdeSession()
+    : world_{(open_ode(), dWorldCreate())},
+      contacts_{dJointGroupCreate(0)},
+      threading_{dThreadingAllocateSelfThreadedImplementation()} {
+  dWorldSetStepThreadingImplementation(world_, dThreadingImplementationGetFunctions(threading_), threading_);
+}
 
 OdeSession::~OdeSession() {
   dJointGroupDestroy(contacts_);
   dWorldDestroy(world_);
+  dThreadingFreeImplementation(threading_);
 }
 
 void OdeSession::prepare_thread() {

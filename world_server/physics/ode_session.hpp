@@ -23,6 +23,8 @@ class OdeSession {
  private:
   dWorldID world_;
   dJointGroupID contacts_;
+  dThreadingImplementationID
+      threading_;  // its own: the one that worlds share by default is for one thread alone
 };
 
 }  // namespace caravan::world

@@ -2,6 +2,8 @@
 // What the world says of its health.
 #include <spdlog/spdlog.h>
 
+#include <numeric>
+
 #include "idl/stamp.hpp"
 #include "world_server/shell/world_shell.hpp"
 
@@ -17,6 +19,10 @@ std::vector<std::string> in_words(const std::vector<std::uint32_t>& ids) {
   std::vector<std::string> names;
   for (const std::uint32_t id : ids) names.push_back(id == 0 ? "radio" : "robot " + std::to_string(id));
   return names;
+}
+
+std::uint64_t sum(const std::vector<std::uint64_t>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
 double seconds(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
@@ -53,8 +59,8 @@ void WorldShell::publish_status(Wall now) {
   status.disturbed(barrier_.disturbed());
   status.digest(digest_);
   status.steps(steps);
-  status.refused_commands(tallies_.refused_commands);
-  status.clamped_commands(tallies_.clamped_commands);
+  status.refused_commands(sum(tallies_.refused_commands));
+  status.clamped_commands(sum(tallies_.clamped_commands));
   status.stale_samples(tallies_.stale_samples);
   status.empty_closings(world_.empty_closings());
   const Wall until = phase_ == Phase::kFinished ? tallies_.ended : now;
@@ -64,6 +70,10 @@ void WorldShell::publish_status(Wall now) {
   tallies_.steps_at_status = steps;
   tallies_.last_status = now;
   if (!statuses_.write(status)) ++tallies_.refused_writes;
+  if (tallies_.refused_writes > 0 && !told_refused_writes_) {
+    spdlog::error("DDS refused a sample: an observer may have missed a step");
+    told_refused_writes_ = true;
+  }
 }
 
 }  // namespace caravan::world

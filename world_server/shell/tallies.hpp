@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <vector>
 
 #include "world_server/barrier/barrier.hpp"
 
@@ -10,8 +11,10 @@ namespace caravan::world {
 
 /// What the status says of the past.
 struct Tallies {
-  std::uint64_t refused_commands = 0;
-  std::uint64_t clamped_commands = 0;
+  explicit Tallies(std::uint32_t robots) : refused_commands(robots), clamped_commands(robots) {}
+
+  std::vector<std::uint64_t> refused_commands;  // by robot, [0] is robot 1
+  std::vector<std::uint64_t> clamped_commands;
   std::uint64_t stale_samples = 0;
   std::uint64_t refused_writes = 0;  // samples that DDS did not take
   std::chrono::nanoseconds physics{0};

@@ -18,6 +18,9 @@
 
 namespace caravan::world {
 
+/// Free pacing: how long a command holds.
+inline constexpr Time kDeadman = std::chrono::milliseconds{600};
+
 /// The world on the bus: publishes what robots sense, moves the world when their commands are in, and holds
 /// the lockstep.
 ///
@@ -89,6 +92,7 @@ class WorldShell {
   std::string digest_;
   std::vector<std::uint32_t> named_hung_;
   bool named_hold_ = false;
+  bool told_refused_writes_ = false;
 
   std::mutex mailbox_mutex_;
   std::vector<runtime::Discovery> mailbox_;

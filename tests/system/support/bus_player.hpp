@@ -17,14 +17,14 @@ namespace caravan::test {
 
 inline constexpr std::chrono::milliseconds kPatience{20'000};
 
-/// Collects the samples of one topic.
+/// Collects the samples of one topic, on a participant of its own.
 template <typename PubSubType>
 class Collector {
  public:
   using Sample = typename PubSubType::type;
 
-  Collector(runtime::Bus& bus, const idl::Topic& topic, std::uint32_t robot = 0) {
-    bus.reader<PubSubType>(topic, robot, [this](const Sample& sample, const runtime::ParticipantId&) {
+  Collector(const runtime::BusConfig& bus, const idl::Topic& topic, std::uint32_t robot = 0) : bus_{bus} {
+    bus_.reader<PubSubType>(topic, robot, [this](const Sample& sample, const runtime::ParticipantId&) {
       const std::lock_guard lock{mutex_};
       samples_.push_back(sample);
     });
@@ -52,6 +52,7 @@ class Collector {
  private:
   mutable std::mutex mutex_;
   std::vector<Sample> samples_;
+  runtime::Bus bus_;  // last, so that no callback outlives the rest
 };
 
 }  // namespace caravan::test

@@ -66,7 +66,6 @@ void write_file(const std::filesystem::path& file, const std::string& text);
 [[nodiscard]] std::vector<pid_t> processes_in(std::uint32_t domain);
 [[nodiscard]] std::filesystem::path scenario(const std::string& name);
 
-// ------------------------------------------------------------------------------------------------
 // implementation
 
 bool pause_until_next_look(std::chrono::steady_clock::time_point deadline);

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// What arrives at the world: commands, the radio's answers, credit.
+#include <spdlog/spdlog.h>
+
+#include "idl/stamp.hpp"
+#include "world_server/referee/sanitise.hpp"
+#include "world_server/shell/world_shell.hpp"
+
+namespace caravan::world {
+namespace msg = caravan_interfaces::msg;
+using runtime::Pacing;
+using runtime::ParticipantId;
+
+bool WorldShell::is_current(std::uint64_t session, Time stamp) const {
+  if (session != session_ || phase_ == Phase::kFinished) return false;
+  return config_.experiment.pacing == Pacing::kFree ? stamp_ - stamp <= kDeadman : stamp == stamp_;
+}
+
+bool WorldShell::owns(std::optional<ParticipantId>& owner, const ParticipantId& sender) {
+  if (!owner) owner = sender;
+  return *owner == sender;
+}
+
+void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample,
+                            const ParticipantId& sender) {
+  const std::lock_guard lock{mutex_};
+  if (!is_current(sample.session(), idl::to_time(sample.stamp())) ||
+      !owns(robot_owners_[robot - 1], sender)) {
+    ++tallies_.stale_samples;
+    return;
+  }
+  const Sanitised safe = sanitise(sample.left_mps(), sample.right_mps(), config_.robots.wheel_limit_mps);
+  if (safe.refused && tallies_.refused_commands[robot - 1]++ == 0) {
+    spdlog::warn(
+        "command refused robot={}: not finite, its wheels stop (further ones are counted in the status)",
+        robot);
+  }
+  if (safe.clamped && tallies_.clamped_commands[robot - 1]++ == 0) {
+    spdlog::warn(
+        "command clamped robot={}: beyond the wheel limit of {} m/s (further ones are counted in the status)",
+        robot, config_.robots.wheel_limit_mps);
+  }
+  const Answer answer = barrier_.answer(robot);
+  if (answer != Answer::kNextStep || phase_ == Phase::kWaiting) {
+    commands_[robot - 1] = Command{safe.left_mps, safe.right_mps, sample.gripper_closed()};
+    commanded_at_[robot - 1] = stamp_;
+  }
+  if (answer == Answer::kRevives) publish_truth(false);
+  progress();
+}
+
+void WorldShell::on_radio_step(const msg::RadioStep& sample, const ParticipantId& sender) {
+  const std::lock_guard lock{mutex_};
+  if (!is_current(sample.session(), idl::to_time(sample.stamp())) || !owns(radio_owner_, sender)) {
+    ++tallies_.stale_samples;
+    return;
+  }
+  for (const std::uint32_t robot : sample.receivers()) {
+    if (robot >= 1 && robot <= radio_due_.size()) radio_due_[robot - 1] = true;
+  }
+  radio_chain_ = sample.chain();
+  barrier_.answer_radio();
+  progress();
+}
+
+void WorldShell::on_credit(const msg::RunCredit& sample, const ParticipantId& sender) {
+  const std::lock_guard lock{mutex_};
+  const bool ours = sample.session() == session_;
+  credits_.give(sample.observer(), sender, ours ? idl::to_time(sample.stamp()) : Time{0});
+  progress();
+}
+
+}  // namespace caravan::world

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// The world's step: open, publish, advance, finish.
+#include <spdlog/spdlog.h>
+
+#include "idl/stamp.hpp"
+#include "runtime/pure/digest.hpp"
+#include "world_server/shell/wire.hpp"
+#include "world_server/shell/world_shell.hpp"
+
+namespace caravan::world {
+using runtime::Discovery;
+using runtime::Pacing;
+using namespace std::chrono_literals;
+
+void WorldShell::read_mailbox() {
+  std::vector<Discovery> news;
+  {
+    const std::lock_guard lock{mailbox_mutex_};
+    news.swap(mailbox_);
+  }
+  for (const Discovery& one : news) forget(one);
+}
+
+void WorldShell::forget(const Discovery& gone) {
+  credits_.lose(gone.participant);
+  bool members_changed = false;
+  for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
+    if (robot_owners_[robot - 1] != gone.participant) continue;
+    spdlog::warn("robot lost robot={} pid={} host={}", robot, gone.identity.pid, gone.identity.host);
+    robot_owners_[robot - 1].reset();
+    members_changed = barrier_.lose(robot, std::chrono::steady_clock::now()) || members_changed;
+    commands_[robot - 1].reset();
+  }
+  if (radio_owner_ == gone.participant) {
+    spdlog::warn("radio lost pid={} host={}: the robots drive on alone", gone.identity.pid,
+                 gone.identity.host);
+    radio_owner_.reset();
+    barrier_.lose_radio();
+    radio_due_.assign(radio_due_.size(), false);
+  }
+  if (members_changed && (phase_ == Phase::kOpen || phase_ == Phase::kAdvanced)) publish_truth(false);
+}
+
+void WorldShell::progress() {
+  read_mailbox();
+  const bool free = config_.experiment.pacing == Pacing::kFree;
+  for (;;) {
+    switch (phase_) {
+      case Phase::kWaiting:
+        if (!barrier_.missing().empty() || !credits_.missing().empty()) return;
+        tallies_.started = tallies_.last_status = due_ = std::chrono::steady_clock::now();
+        spdlog::info("started robots={} session={}", config_.robots.count, session_);
+        open_step();
+        break;
+      case Phase::kOpen:
+        if (free || !barrier_.commands_in()) return;
+        advance();
+        break;
+      case Phase::kAdvanced:
+        if (free || !barrier_.radio_in()) return;
+        phase_ = Phase::kClosed;
+        break;
+      case Phase::kClosed:
+        if (world_.finished()) return finish();
+        if (!may_open(std::chrono::steady_clock::now())) return;
+        open_step();
+        break;
+      case Phase::kFinished:
+        return;
+    }
+  }
+}
+
+bool WorldShell::may_open(Wall now) {
+  const auto held_by = credits_.holding_back(world_.now(), period_ * idl::kMaxStepsAhead);
+  if (held_by && !named_hold_) spdlog::debug("held back by observer={}", *held_by);
+  named_hold_ = held_by.has_value();
+  if (named_hold_) return false;
+  if (config_.experiment.pacing == Pacing::kFast || now >= due_) return true;
+  loop_.notify();  // the main thread opens it when it is due
+  return false;
+}
+
+void WorldShell::open_step() {
+  const bool first = phase_ == Phase::kWaiting;
+  const Wall now = std::chrono::steady_clock::now();
+  stamp_ = world_.now();
+  barrier_.open(now);
+  phase_ = Phase::kOpen;
+  due_ = now - due_ > 100ms ? now + period_ : due_ + period_;  // a hold is not caught up with
+  if (!first) publish_sensors();  // the first frames have been out since the start
+  publish_truth(false);
+}
+
+void WorldShell::publish_sensors() {
+  const bool lockstep = config_.experiment.pacing != Pacing::kFree;
+  rosgraph_msgs::msg::Clock clock;
+  clock.clock(idl::to_wire(stamp_));
+  clock_.write(clock);
+  frame_.stamp(idl::to_wire(stamp_));
+  frame_.session(session_);
+  for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
+    {
+      const Stopwatch watch{tallies_.sensors};
+      to_wire(world_.sense(robot), frame_);
+    }
+    frame_.radio_due(lockstep && radio_due_[robot - 1]);
+    if (!sensors_[robot - 1].write(frame_)) ++tallies_.refused_writes;
+  }
+  radio_due_.assign(radio_due_.size(), false);
+}
+
+void WorldShell::publish_truth(bool last) {
+  to_wire(world_, barrier_.members(), truth_);
+  truth_.stamp(idl::to_wire(stamp_));
+  truth_.next_stamp(idl::to_wire(stamp_ + period_));
+  truth_.session(session_);
+  truth_.last(last);
+  if (last) truth_.members().clear();
+  if (!truths_.write(truth_)) ++tallies_.refused_writes;
+}
+
+void WorldShell::advance() {
+  const Stopwatch watch{tallies_.physics};
+  world_.advance(commands_);
+  if (config_.experiment.pacing != Pacing::kFree) commands_.assign(commands_.size(), std::nullopt);
+  phase_ = Phase::kAdvanced;
+}
+
+void WorldShell::finish() {
+  phase_ = Phase::kFinished;
+  stamp_ = world_.now();
+  tallies_.ended = std::chrono::steady_clock::now();
+  digest_ = pure::digest(world_.chain(), radio_chain_);
+  publish_truth(true);
+  publish_status(tallies_.ended);
+  spdlog::info("finished sim_s={:.3f} items={} digest={}", std::chrono::duration<double>(stamp_).count(),
+               world_.items_delivered(), digest_);
+}
+
+}  // namespace caravan::world

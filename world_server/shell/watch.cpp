@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// The world's main thread: pacing, who is late, the end.
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "runtime/process/run_process.hpp"
+#include "world_server/shell/world_shell.hpp"
+
+namespace caravan::world {
+using runtime::Pacing;
+
+int WorldShell::run() {
+  const Wall began = std::chrono::steady_clock::now();
+  const auto patience = std::chrono::duration_cast<Wall::duration>(
+      std::chrono::duration<double>(config_.experiment.start_timeout_s));
+  for (;;) {
+    Wall deadline;
+    {
+      const std::lock_guard lock{mutex_};
+      const Wall now = std::chrono::steady_clock::now();
+      watch(now);
+      if (phase_ == Phase::kWaiting && now - began > patience) {
+        spdlog::error("nobody to start with after {} s: {} missing", config_.experiment.start_timeout_s,
+                      fmt::join(missing(), ", "));
+        return runtime::kCouldNotStart;
+      }
+      deadline = next_deadline(now);
+    }
+    if (loop_.wait(deadline) == runtime::Loop::Woken::kStop) return runtime::kDone;
+  }
+}
+
+void WorldShell::watch(Wall now) {
+  progress();
+  if (config_.experiment.pacing == Pacing::kFree && phase_ == Phase::kOpen && now >= due_) free_step(now);
+  if (barrier_.let_go(now)) {
+    publish_truth(false);
+    progress();
+  }
+  if (now >= status_due_) {
+    name_the_late(now);
+    publish_status(now);
+  }
+}
+
+void WorldShell::free_step(Wall /*now*/) {
+  for (std::size_t i = 0; i < commands_.size(); ++i) {
+    if (commands_[i] && stamp_ - commanded_at_[i] > kDeadman) commands_[i].reset();
+  }
+  advance();
+  phase_ = Phase::kClosed;
+  if (world_.finished()) return finish();
+  open_step();
+}
+
+Wall WorldShell::next_deadline(Wall now) const {
+  const bool paced =
+      config_.experiment.pacing != Pacing::kFast && !named_hold_ &&
+      (phase_ == Phase::kClosed || (phase_ == Phase::kOpen && config_.experiment.pacing == Pacing::kFree));
+  return paced ? std::min(status_due_, std::max(due_, now)) : status_due_;
+}
+
+std::vector<std::string> WorldShell::missing() const {
+  std::vector<std::string> names = credits_.missing();
+  if (phase_ != Phase::kWaiting) return names;
+  for (const std::uint32_t robot : barrier_.missing()) names.push_back("robot " + std::to_string(robot));
+  return names;
+}
+
+}  // namespace caravan::world
