@@ -4,11 +4,15 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "idl/stamp.hpp"
+#include "robot_agent/core/frames/codec.hpp"
+#include "robot_agent/core/frames/text.hpp"
 #include "robot_agent/shell/wire.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
+#include "runtime/pure/overload.hpp"
 
 namespace caravan::agent {
 namespace msg = caravan_interfaces::msg;
@@ -21,6 +25,19 @@ namespace {
 constexpr auto kRadioPatience = 1s;
 constexpr auto kWatchPeriod = 500ms;  // how late the radio deadline may be noticed
 constexpr auto kSayWaitingAfter = 1s;
+
+/// In the paper's form; with --log-level trace only.
+void log_frames(const char* what, Time now, const std::vector<Frame>& frames) {
+  if (!spdlog::should_log(spdlog::level::trace)) return;
+  for (const Frame& frame : frames) {
+    const std::string text =
+        std::visit(pure::Overload{[](const DecodeError&) { return std::string{"malformed"}; },
+                                  [](const auto& message) { return to_text(Message{message}); }},
+                   decode(frame.bytes));
+    spdlog::trace("{} t_s={:.3f} channel={} {}", what, std::chrono::duration<double>(now).count(),
+                  frame.channel.value, text);
+  }
+}
 
 }  // namespace
 
@@ -90,6 +107,7 @@ void AgentShell::on_receive(const msg::RadioReceive& sample) {
 void AgentShell::step(const msg::SensorFrame& frame) {
   const auto began = std::chrono::steady_clock::now();
   now_ = idl::to_time(frame.stamp());
+  log_frames("hears", now_, heard_);
   Outputs outputs = agent_->step({.now = now_, .sensors = to_core(frame), .heard = std::move(heard_)});
   heard_.clear();
   compute_ += std::chrono::steady_clock::now() - began;
@@ -107,6 +125,7 @@ void AgentShell::step(const msg::SensorFrame& frame) {
   command.stamp(frame.stamp());
   command.session(session_);
   if (!commands_.write(command)) ++refused_writes_;
+  log_frames("sends", now_, outputs.frames);
   msg::RadioTransmit transmit = to_transmit(outputs);
   transmit.stamp(frame.stamp());
   transmit.session(session_);

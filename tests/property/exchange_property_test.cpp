@@ -61,7 +61,7 @@ TEST(ExchangeProperty, AtHalfTheFramesLostMostExchangesCompleteAndBothSidesKnow)
 }
 
 TEST(ExchangeProperty, SeveralPairsOnOnePrivateChannelOnlySlowEachOtherDown) {  // P-46
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
     Config config;
     config.channel_count = seed % 2 == 0 ? 3 : 2;
@@ -77,7 +77,7 @@ TEST(ExchangeProperty, SeveralPairsOnOnePrivateChannelOnlySlowEachOtherDown) {  
 }
 
 TEST(ExchangeProperty, TheSmallestMtuIsEnough) {  // P-13
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
     Config config;
     config.mtu_bytes = 32;

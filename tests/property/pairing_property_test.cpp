@@ -87,7 +87,7 @@ TEST(PairingProperty, PartnersAgreeSoonAfterTheAirBecomesQuiet) {  // P-7
 }
 
 TEST(PairingProperty, InQuietAirAllMeetAllAndThenDriveOn) {  // P-8
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
     pure::Random random{seed};
     Config config = busy_config(random);

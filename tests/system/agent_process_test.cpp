@@ -91,6 +91,18 @@ TEST_F(AgentProcess, TakesOverFromOneThatWasKilled) {
   EXPECT_EQ(second.wait(2500ms), std::nullopt) << second.output();
 }
 
+TEST_F(AgentProcess, ShowsItsFramesInThePapersFormWhenAskedTo) {
+  std::vector<std::string> line = agent("3");
+  line.insert(line.end(), {"--log-level", "trace"});
+  const Process process{line, folder_ / "agent.log"};
+  runtime::Bus bus{bus_config()};
+  auto sensors = bus.writer<msg::SensorFramePubSubType>(idl::kSensors, 3);
+  msg::SensorFrame frame;
+  frame.session(7);
+  sensors.write(frame);
+  EXPECT_TRUE(process.prints("sends t_s=0.000 channel=0 WAIT_3_EXPLORE", kPatience)) << process.output();
+}
+
 TEST_F(AgentProcess, RefusesANumberOutOfRange) {
   for (const std::string robot : {"0", "5"}) {
     Process process{agent(robot), folder_ / "agent.log"};
