@@ -6,10 +6,6 @@
 #include <fastrtps/attributes/LibrarySettingsAttributes.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <algorithm>
-#include <chrono>
-#include <condition_variable>
-#include <cstdio>
-#include <cstdlib>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
@@ -22,10 +18,10 @@
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <map>
 #include <mutex>
-#include <thread>
 #include <vector>
 
 #include "runtime/bus/qos.hpp"
+#include "runtime/bus/start_deadline.hpp"
 #include "runtime/config/start_error.hpp"
 
 namespace caravan::runtime {
@@ -51,38 +47,6 @@ void prepare_process() {
   settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
   eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
 }
-
-/// Ends the process when DDS does not come back from making a participant: there is no way to interrupt it.
-class StartDeadline {
- public:
-  explicit StartDeadline(std::uint32_t domain) : watcher_{[this, domain] { watch(domain); }} {}
-  ~StartDeadline() {
-    {
-      const std::lock_guard lock{mutex_};
-      made_ = true;
-    }
-    changed_.notify_all();
-    watcher_.join();
-  }
-  StartDeadline(const StartDeadline&) = delete;
-  StartDeadline& operator=(const StartDeadline&) = delete;
-
- private:
-  void watch(std::uint32_t domain) {
-    std::unique_lock lock{mutex_};
-    if (changed_.wait_for(lock, std::chrono::seconds{15}, [this] { return made_; })) return;
-    std::fprintf(stderr,
-                 "DDS hangs while joining domain %u: a killed process has left a broken port there; remove "
-                 "/dev/shm/*fastrtps_port%u* to %u* or take another domain\n",
-                 domain, 7400 + 250 * domain, 7649 + 250 * domain);
-    std::_Exit(2);
-  }
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool made_ = false;
-  std::thread watcher_;
-};
 
 /// Turns Fast DDS's discovery callbacks into Discovery values.
 class DiscoveryListener final : public dds::DomainParticipantListener {
