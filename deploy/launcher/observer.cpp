@@ -13,6 +13,7 @@ using runtime::ParticipantId;
 
 namespace {
 
+constexpr auto kReportPatience = std::chrono::seconds{5};
 constexpr std::size_t kWorthALook = 32;  // steps; an eighth of what the world may run ahead
 
 Time from_seconds(double seconds) { return Time{std::llround(seconds * 1e9)}; }
@@ -90,30 +91,36 @@ void Observer::on_truth(const msg::WorldTruth& truth) {
   const std::lock_guard lock{mutex_};
   if (truth.session() < session_) return;
   session_ = truth.session();
-  if (open_ && idl::to_time(truth.stamp()) <= open_->stamp) {
-    open_->members = truth.members();  // the same step again, without whom it lost
+  if (!first_truth_) first_truth_ = std::chrono::steady_clock::now();
+  if (!steps_.empty() && idl::to_time(truth.stamp()) <= steps_.back().stamp) {
+    steps_.back().members = truth.members();  // the same step again, without whom it lost
     return;
   }
-  close_step();
-  open_ = to_observation(truth);
-  if (truth.last()) {
-    close_step();
-    news_.last_seen = true;
-  }
-  if (news_.last_seen || news_.observations.size() >= kWorthALook) loop_.notify();
+  steps_.push_back(to_observation(truth));
+  give_out();
 }
 
-void Observer::close_step() {
-  if (!open_) return;
-  const auto until = reports_.upper_bound(open_->stamp);
-  for (auto report = reports_.begin(); report != until; ++report) {
-    open_->agent_reports.push_back(std::move(report->second));
+bool Observer::has_heard_all(const Observation& step) const {
+  return std::all_of(step.members.begin(), step.members.end(),
+                     [this](std::uint32_t robot) { return agent_compute_s_.contains(robot); }) ||
+         std::chrono::steady_clock::now() - *first_truth_ > kReportPatience;
+}
+
+void Observer::give_out() {
+  while (!steps_.empty() && (steps_.size() > 1 || steps_.front().last) && has_heard_all(steps_.front())) {
+    Observation step = std::move(steps_.front());
+    steps_.pop_front();
+    const auto until = reports_.upper_bound(step.stamp);
+    for (auto report = reports_.begin(); report != until; ++report) {
+      step.agent_reports.push_back(std::move(report->second));
+    }
+    reports_.erase(reports_.begin(), until);
+    std::stable_sort(step.agent_reports.begin(), step.agent_reports.end(),
+                     [](const AgentReport& a, const AgentReport& b) { return a.robot < b.robot; });
+    news_.last_seen = news_.last_seen || step.last;
+    news_.observations.push_back(std::move(step));
   }
-  reports_.erase(reports_.begin(), until);
-  std::stable_sort(open_->agent_reports.begin(), open_->agent_reports.end(),
-                   [](const AgentReport& a, const AgentReport& b) { return a.robot < b.robot; });
-  news_.observations.push_back(std::move(*open_));
-  open_.reset();
+  if (news_.last_seen || news_.observations.size() >= kWorthALook) loop_.notify();
 }
 
 void Observer::on_telemetry(std::uint32_t robot, const msg::Telemetry& telemetry) {
@@ -124,10 +131,12 @@ void Observer::on_telemetry(std::uint32_t robot, const msg::Telemetry& telemetry
   if (!is_known || telemetry.session() < session_) return;
   agent_compute_s_[robot] = telemetry.compute_s();
   reports_.emplace(idl::to_time(telemetry.stamp()), to_report(robot, telemetry));
+  give_out();
 }
 
 Observer::News Observer::look() {
   const std::lock_guard lock{mutex_};
+  give_out();
   News taken = std::exchange(news_, {});
   news_.world = taken.world;
   news_.radio = taken.radio;

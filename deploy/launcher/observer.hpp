@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -16,9 +17,10 @@ namespace caravan::deploy {
 
 /// The launcher's ears on the bus: turns truth and telemetry into observations that miss nothing.
 ///
-/// It gives the world credit, so the world never runs more than 256 steps ahead of it. An agent writes its
-/// telemetry before its command and the world's next truth needs that command, so when a truth arrives the
-/// reports of the step before are all here.
+/// It gives the world credit, so the world never runs more than 256 steps ahead of it. An agent reports on
+/// its first step, and always writes its telemetry before its command, which the world's next truth needs. So
+/// once every member has been heard, a truth that arrives shows that the reports of the step before are all
+/// here; until then steps are kept back, five seconds at most.
 class Observer {
  public:
   /// What has been heard since the last look.
@@ -45,15 +47,18 @@ class Observer {
  private:
   void on_truth(const caravan_interfaces::msg::WorldTruth& truth);
   void on_telemetry(std::uint32_t robot, const caravan_interfaces::msg::Telemetry& telemetry);
-  void close_step();
+  /// Gives out the steps whose reports are all here.
+  void give_out();
+  [[nodiscard]] bool has_heard_all(const Observation& step) const;
 
   runtime::Loop& loop_;
   std::string name_;
   std::mutex mutex_;
   std::uint64_t session_ = 0;
-  std::optional<Observation> open_;           // the newest truth, its reports still arriving
-  std::multimap<Time, AgentReport> reports_;  // of steps that are not closed
-  std::map<std::uint32_t, double> agent_compute_s_;
+  std::deque<Observation> steps_;  // not given out yet, the newest last
+  std::optional<runtime::WallTime> first_truth_;
+  std::multimap<Time, AgentReport> reports_;         // of steps that are not closed
+  std::map<std::uint32_t, double> agent_compute_s_;  // of every robot that has been heard
   News news_;
   runtime::Bus bus_;
   runtime::Writer<caravan_interfaces::msg::RunCreditPubSubType> credit_;
