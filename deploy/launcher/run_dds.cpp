@@ -51,7 +51,7 @@ class DdsRun {
   }
   void start_everybody();
   void start(const std::string& name, const std::string& program, std::vector<std::string> arguments);
-  /// Until the run is decided, interrupted or lost; sets `end_`.
+  /// Until the run is decided, interrupted or lost.
   void follow();
   void look();
   void mourn(const Ended& one);
