@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "idl/stamp.hpp"
@@ -78,6 +79,7 @@ bool AgentShell::follow_session(std::uint64_t session) {
   now_ = heard_until_ = Time{-1};
   heard_.clear();
   waiting_.reset();
+  held_.reset();
   compute_ = {};
   return true;
 }
@@ -85,7 +87,11 @@ bool AgentShell::follow_session(std::uint64_t session) {
 void AgentShell::on_sensors(const msg::SensorFrame& frame) {
   const std::lock_guard lock{mutex_};
   const Time stamp = idl::to_time(frame.stamp());
-  if (!follow_session(frame.session()) || stamp <= now_ || clash_->must_be_silent()) return;
+  if (!follow_session(frame.session()) || stamp <= now_) return;
+  if (clash_->must_be_silent()) {
+    held_ = frame;
+    return;
+  }
   if (frame.radio_due() && heard_until_ < stamp) {
     waiting_ = frame;
     waiting_until_ = std::chrono::steady_clock::now() + kRadioPatience;
@@ -101,7 +107,8 @@ void AgentShell::on_receive(const msg::RadioReceive& sample) {
     heard_.push_back({Channel{frame.channel()}, frame.bytes()});
   }
   heard_until_ = std::max(heard_until_, idl::to_time(sample.stamp()));
-  if (waiting_ && heard_until_ >= idl::to_time(waiting_->stamp())) step(*waiting_);
+  if (waiting_ && !clash_->must_be_silent() && heard_until_ >= idl::to_time(waiting_->stamp()))
+    step(*waiting_);
 }
 
 void AgentShell::step(const msg::SensorFrame& frame) {
@@ -165,6 +172,12 @@ void AgentShell::watch(Wall now) {
   if (refused_writes_ > 0 && !told_refused_writes_) {
     spdlog::error("DDS refused a sample: the world or an observer may be waiting for it");
     told_refused_writes_ = true;
+  }
+  if (clash_->must_be_silent()) return;
+  if (held_) {
+    // The world may be waiting for this answer, so that no other frame would come.
+    const msg::SensorFrame frame = *std::exchange(held_, std::nullopt);
+    if (frame.session() == session_ && idl::to_time(frame.stamp()) > now_) step(frame);
   }
   if (waiting_ && now >= waiting_until_) {
     spdlog::warn("radio due but silent for 1 s: stepping without it, count={}", ++radio_timeouts_);

@@ -54,6 +54,7 @@ class AgentShell {
   Time heard_until_{-1};                                         // stamp of the newest RadioReceive
   std::optional<caravan_interfaces::msg::SensorFrame> waiting_;  // for its radio
   Wall waiting_until_{};
+  std::optional<caravan_interfaces::msg::SensorFrame> held_;  // the newest that came in a clash
   bool said_waiting_ = false;
   std::uint64_t radio_timeouts_ = 0;
   std::uint64_t refused_writes_ = 0;

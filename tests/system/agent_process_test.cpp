@@ -86,8 +86,16 @@ TEST_F(AgentProcess, TakesOverFromOneThatWasKilled) {
     Process first{agent("1"), folder_ / "first.log"};
     ASSERT_TRUE(first.prints("waiting for the world", kPatience));
   }
+  // The only frame that the world sends until it is answered, and it comes while the first one still counts
+  // as living.
+  const Collector<msg::RobotCommandPubSubType> commands{bus_config(), idl::kCommand, 1};
+  runtime::Bus bus{bus_config()};
+  auto sensors = bus.writer<msg::SensorFramePubSubType>(idl::kSensors, 1);
+  msg::SensorFrame frame;
+  frame.session(7);
+  sensors.write(frame);
   Process second{agent("1"), folder_ / "second.log"};
-  ASSERT_TRUE(second.prints("waiting for the world", kPatience));
+  EXPECT_TRUE(commands.first([](const msg::RobotCommand&) { return true; })) << second.output();
   EXPECT_EQ(second.wait(2500ms), std::nullopt) << second.output();
 }
 
