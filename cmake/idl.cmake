@@ -4,7 +4,8 @@ find_program(FASTDDSGEN fastddsgen REQUIRED)
 
 function(caravan_idl_library name)
   cmake_parse_arguments(arg "" "" "FILES" ${ARGN})
-  set(out ${CMAKE_CURRENT_BINARY_DIR}/generated)
+  # A folder for each library: every run writes the files of what it includes too, while others may be read by the compiler.
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/generated/${name})
   file(MAKE_DIRECTORY ${out})
   set(sources)
   file(GLOB all_idl CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.idl)
@@ -13,8 +14,10 @@ function(caravan_idl_library name)
     set(made ${out}/${stem}.cxx ${out}/${stem}PubSubTypes.cxx)
     set(headers ${out}/${stem}.h ${out}/${stem}PubSubTypes.h)
     # -replace: without it a stale output is kept silently. A change in one file regenerates all, since they include each other.
+    # -t: preprocessed files go to a folder of the run's own; two runs at a time in the shared default garble each other.
+    file(MAKE_DIRECTORY ${out}/${stem}.tmp)
     add_custom_command(OUTPUT ${made} ${headers}
-      COMMAND ${FASTDDSGEN} -typeros2 -replace -I ${CMAKE_CURRENT_SOURCE_DIR} -d ${out} ${CMAKE_CURRENT_SOURCE_DIR}/${file} > ${out}/${stem}.log
+      COMMAND ${FASTDDSGEN} -typeros2 -replace -I ${CMAKE_CURRENT_SOURCE_DIR} -d ${out} -t ${out}/${stem}.tmp ${CMAKE_CURRENT_SOURCE_DIR}/${file} > ${out}/${stem}.log
       DEPENDS ${all_idl}
       COMMENT "fastddsgen ${file}" VERBATIM)
     list(APPEND sources ${made} ${headers})
