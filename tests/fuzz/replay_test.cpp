@@ -17,13 +17,17 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 std::vector<Bytes> corpus(const std::string& name) {
-  std::vector<Bytes> inputs;
+  std::vector<std::filesystem::path> files;
   for (const auto& entry :
        std::filesystem::directory_iterator{CARAVAN_SOURCE_DIR "/tests/fuzz/corpus/" + name}) {
-    std::ifstream file{entry.path(), std::ios::binary};
+    files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<Bytes> inputs;
+  for (const auto& path : files) {
+    std::ifstream file{path, std::ios::binary};
     inputs.emplace_back(std::istreambuf_iterator<char>{file}, std::istreambuf_iterator<char>{});
   }
-  std::sort(inputs.begin(), inputs.end());
   return inputs;
 }
 
