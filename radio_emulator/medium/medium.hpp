@@ -60,6 +60,7 @@ struct Drops {
 ///
 /// A frame over the MTU or on a channel that does not exist is refused and counted once, whoever is near.
 ///
+/// @param step           a number of its own for each step: its stamp in nanoseconds in every engine
 /// @param stations       the step's members, any order; a transmission of a robot that is not among them is
 ///                       ignored, so is a second station of the same robot; one whose position is not finite
 ///                       is out of everybody's range

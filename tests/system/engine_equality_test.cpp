@@ -13,13 +13,12 @@ namespace fs = std::filesystem;
 using test::Process;
 using test::read_file;
 
-/// Runs the small scenario long enough for robots to find the destination, meet and exchange paths.
-nlohmann::json run(const std::string& engine, const std::string& mode, int seed, const fs::path& out,
-                   const fs::path& log) {
-  Process process{
-      {"caravan", "run", test::scenario("small.toml"), "--engine", engine, "--mode", mode, "--seed",
-       std::to_string(seed), "--items", "0", "--max-time", "150", "--out", out, "--quiet"},
-      log};
+/// Runs the scenario long enough for robots to find the destination, meet and exchange paths.
+nlohmann::json run(const fs::path& scenario, const std::string& engine, const std::string& mode, int seed,
+                   const fs::path& out, const fs::path& log) {
+  Process process{{"caravan", "run", scenario, "--engine", engine, "--mode", mode, "--seed",
+                   std::to_string(seed), "--items", "0", "--max-time", "150", "--out", out, "--quiet"},
+                  log};
   EXPECT_EQ(process.wait(std::chrono::seconds{60}), 0) << process.output();
   return nlohmann::json::parse(read_file(out / "metrics.json"));
 }
@@ -54,14 +53,29 @@ TEST_P(EngineEquality, ProcessesOnDdsAndOneProcessGiveTheSameRunBitForBit) {
   const fs::path dds = folder / "dds";
   const fs::path embedded = folder / "embedded";
 
-  const nlohmann::json on_dds = run("dds", mode, seed, dds, folder / "dds.log");
-  const nlohmann::json in_one = run("embedded", mode, seed, embedded, folder / "embedded.log");
+  const fs::path scenario = test::scenario("small.toml");
+  const nlohmann::json on_dds = run(scenario, "dds", mode, seed, dds, folder / "dds.log");
+  const nlohmann::json in_one = run(scenario, "embedded", mode, seed, embedded, folder / "embedded.log");
 
   ASSERT_EQ(on_dds["digest"], in_one["digest"]);
   EXPECT_EQ(without_wall_time(on_dds), without_wall_time(in_one));
   for (const char* name : {"tracks.csv", "trips.csv", "events.csv", "paths.csv"}) {
     EXPECT_EQ(first_difference(read_file(dds / name), read_file(embedded / name)), "") << name;
   }
+}
+
+TEST(EngineEqualityOnAPoorRadio, LosesTheSameFrames) {
+  const test::ScratchFolder folder;
+  const fs::path scenario = folder / "lossy.toml";
+  test::write_file(scenario, test::replaced(read_file(test::scenario("small.toml")), "[radio]\n",
+                                            "[radio]\nloss_probability = 0.3\n"));
+
+  const nlohmann::json on_dds = run(scenario, "dds", "full", 4, folder / "dds", folder / "dds.log");
+  const nlohmann::json in_one =
+      run(scenario, "embedded", "full", 4, folder / "embedded", folder / "embedded.log");
+
+  EXPECT_GT(in_one["frames"]["lost"], 0);
+  EXPECT_EQ(without_wall_time(on_dds), without_wall_time(in_one));
 }
 
 INSTANTIATE_TEST_SUITE_P(ModesAndSeeds, EngineEquality,
