@@ -58,9 +58,11 @@ agent::Sensors to_sensors(const world::Senses& senses) {
           .holding = senses.holding};
 }
 
-world::Command to_command(const agent::Outputs& outputs, double wheel_limit_mps) {
+world::Command to_command(const agent::Outputs& outputs, double wheel_limit_mps, Refusals& refusals) {
   const world::Sanitised safe =
       world::sanitise(outputs.wheels.left_mps, outputs.wheels.right_mps, wheel_limit_mps);
+  refusals.commands_refused += safe.refused ? 1U : 0U;
+  refusals.commands_clamped += safe.clamped ? 1U : 0U;
   return {.left_mps = safe.left_mps, .right_mps = safe.right_mps, .gripper_closed = outputs.gripper_closed};
 }
 
@@ -89,6 +91,7 @@ AgentReport to_report(std::uint32_t robot, const agent::Report& report) {
                      .origin = to_origin(report.origin),
                      .towards_destination = report.towards_destination,
                      .trips = report.trips,
+                     .malformed_frames = report.malformed_frames,
                      .path_changed = report.path_changed,
                      .path = {},
                      .exchanges = {},

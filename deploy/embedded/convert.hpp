@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "deploy/metrics/observation.hpp"
+#include "deploy/metrics/run_facts.hpp"
 #include "radio_emulator/medium/medium.hpp"
 #include "robot_agent/core/types.hpp"
 #include "world_server/types.hpp"
@@ -13,7 +14,9 @@ namespace caravan::deploy {
 
 [[nodiscard]] agent::Sensors to_sensors(const world::Senses& senses);
 /// @param wheel_limit_mps  the world's: faster wheels are told to turn that fast, undefined ones to stop
-[[nodiscard]] world::Command to_command(const agent::Outputs& outputs, double wheel_limit_mps);
+/// @param refusals  counted up
+[[nodiscard]] world::Command to_command(const agent::Outputs& outputs, double wheel_limit_mps,
+                                        Refusals& refusals);
 /// Takes the frames out of `outputs`.
 [[nodiscard]] radio::Transmission to_transmission(std::uint32_t robot, agent::Outputs& outputs);
 /// Takes the frames out of `reception`.

@@ -85,16 +85,27 @@ void Engine::answer() {
     const auto robot = static_cast<std::uint32_t>(i + 1);
     agent::Outputs outputs = agents_[i].step(inputs_[i]);
     inputs_[i].heard.clear();
-    commands_[i] = to_command(outputs, wheel_limit_mps_);
+    commands_[i] = to_command(outputs, wheel_limit_mps_, refusals_);
     transmissions_[i] = to_transmission(robot, outputs);
     if (outputs.reports) observation_.agent_reports.push_back(to_report(robot, outputs.report));
   }
 }
 
 void Engine::deliver() {
-  auto receptions = radio::deliver(medium_, world_.step(), stations_, transmissions_, drops_);
-  radio::chain_step(radio_chain_, world_.now().count(), transmissions_, receptions);
+  const std::int64_t stamp = world_.now().count();
+  auto receptions =
+      radio::deliver(medium_, static_cast<std::uint64_t>(stamp), stations_, transmissions_, drops_);
+  radio::chain_step(radio_chain_, stamp, transmissions_, receptions);
   for (radio::Reception& reception : receptions) inputs_[reception.robot - 1].heard = to_heard(reception);
+}
+
+Refusals Engine::refusals() const {
+  Refusals all = refusals_;
+  all.frames_over_mtu = drops_.over_mtu;
+  all.frames_on_bad_channel = drops_.bad_channel;
+  all.frames_lost = drops_.lost;
+  all.frames_queue_full = drops_.queue_full;
+  return all;
 }
 
 std::string Engine::digest() const { return pure::digest(world_.chain(), radio_chain_.value()); }

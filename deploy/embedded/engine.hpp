@@ -34,7 +34,7 @@ class Engine {
   [[nodiscard]] Time now() const { return world_.now(); }
   [[nodiscard]] std::string digest() const;
   [[nodiscard]] const TimeSplit& time_split() const { return time_split_; }
-  [[nodiscard]] const radio::Drops& drops() const { return drops_; }
+  [[nodiscard]] Refusals refusals() const;
 
  private:
   void sense();
@@ -52,6 +52,7 @@ class Engine {
   std::vector<radio::Transmission> transmissions_;
   pure::HashChain radio_chain_;
   radio::Drops drops_;
+  Refusals refusals_;  // of commands
   TimeSplit time_split_;
   Observation observation_;
 };

@@ -47,6 +47,7 @@ int run_embedded(const RunRequest& request) {
     RunEnd end;
     end.digest = engine.digest();
     end.time_split = engine.time_split();
+    end.refusals = engine.refusals();
     end.wall_time_s = pace.wall_time_s();
     return end;
   };

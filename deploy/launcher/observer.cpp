@@ -45,6 +45,7 @@ AgentReport to_report(std::uint32_t robot, const msg::Telemetry& telemetry) {
   report.origin = static_cast<Origin>(telemetry.origin());
   report.towards_destination = telemetry.towards_destination();
   report.trips = telemetry.trips();
+  report.malformed_frames = telemetry.malformed_frames();
   report.path_changed = telemetry.path_changed();
   for (const msg::PathPoint& point : telemetry.path()) report.path.push_back({point.x_m(), point.y_m()});
   for (const msg::ExchangeReport& exchange : telemetry.exchanges()) {

@@ -12,6 +12,7 @@
 #include "deploy/launcher/observer.hpp"
 #include "deploy/launcher/shared_memory.hpp"
 #include "deploy/metrics/run_record.hpp"
+#include "idl/stamp.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 
@@ -56,6 +57,7 @@ class DdsRun {
   void look();
   void mourn(const Ended& one);
   void check_start(Wall now);
+  [[nodiscard]] bool have_last_statuses() const;
   [[nodiscard]] RunEnd so_far() const;
 
   const RunRequest& request_;
@@ -156,13 +158,18 @@ void DdsRun::follow() {
       segments_noted_ = now;
     }
   }
-  // The deciding truth comes first, the status with the digest right behind it.
+  // The deciding truth comes first, the statuses with the digest and the last counts right behind it.
   const Wall patience = std::chrono::steady_clock::now() + 2s;
   while (decided_ && std::chrono::steady_clock::now() < patience) {
-    if (newest_.world && newest_.world->state() == msg::WorldStatus_Constants::FINISHED) return;
+    if (have_last_statuses()) return;
     if (request_.loop.wait(patience) == runtime::Loop::Woken::kStop) return;
     look();
   }
+}
+
+bool DdsRun::have_last_statuses() const {
+  if (!newest_.world || newest_.world->state() != msg::WorldStatus_Constants::FINISHED) return false;
+  return !newest_.radio || idl::to_time(newest_.radio->stamp()) >= idl::to_time(newest_.world->stamp());
 }
 
 RunEnd DdsRun::so_far() const {
@@ -177,6 +184,14 @@ RunEnd DdsRun::so_far() const {
   end.time_split.sensors_s = newest_.world->sensors_s();
   end.time_split.radio_s = newest_.radio ? newest_.radio->compute_s() : 0.0;
   end.time_split.agents_s = newest_.agents_compute_s;
+  end.refusals.commands_refused = newest_.world->refused_commands();
+  end.refusals.commands_clamped = newest_.world->clamped_commands();
+  if (newest_.radio) {
+    end.refusals.frames_over_mtu = newest_.radio->over_mtu();
+    end.refusals.frames_on_bad_channel = newest_.radio->bad_channel();
+    end.refusals.frames_lost = newest_.radio->lost();
+    end.refusals.frames_queue_full = newest_.radio->queue_full();
+  }
   const TimeSplit& split = end.time_split;
   end.time_split.transport_s =
       std::max(0.0, end.wall_time_s - split.physics_s - split.sensors_s - split.radio_s - split.agents_s);

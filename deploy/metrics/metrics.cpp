@@ -62,6 +62,7 @@ void Metrics::take(const AgentReport& report) {
   if (robot == nullptr) return;
   robot->mode = report.mode;
   robot->activity = report.activity;
+  robot->malformed_frames = report.malformed_frames;
   const bool first_path = !robot->found && !robot->received;
   if (first_path && report.origin == Origin::kFound) robot->found = now_;
   if (first_path && report.origin == Origin::kReceived) robot->received = now_;
@@ -84,6 +85,7 @@ Result Metrics::result() const {
   for (std::uint32_t id = 1; id <= robots_.size(); ++id) {
     const Robot& robot = robots_[id - 1];
     const auto& path = paths_[id - 1];
+    result.malformed_frames += robot.malformed_frames;
     result.robots.push_back(
         {.id = id,
          .found = robot.found,

@@ -32,6 +32,7 @@ struct Result {
   double exchange_mean_s = 0.0;  ///< 0 when there was none
   std::uint64_t robot_robot_contacts = 0;
   std::uint64_t robot_static_contacts = 0;
+  std::uint64_t malformed_frames = 0;
   std::vector<RobotResult> robots{};  ///< sorted by id
 };
 
@@ -68,6 +69,7 @@ class Metrics {
     std::optional<Time> found;
     std::optional<Time> received;
     std::uint32_t items = 0;
+    std::uint64_t malformed_frames = 0;
     ActivityAccount account;
   };
   [[nodiscard]] Robot* find(std::uint32_t robot);

@@ -67,6 +67,7 @@ struct AgentReport {
   Origin origin = Origin::kNone;
   bool towards_destination = false;
   std::uint32_t trips = 0;
+  std::uint64_t malformed_frames = 0;  ///< heard so far
   bool path_changed = false;
   std::vector<Place> path;  ///< from source to destination; meaningful when path_changed
   std::vector<Exchange> exchanges;

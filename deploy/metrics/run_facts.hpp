@@ -28,6 +28,16 @@ struct TimeSplit {
   double transport_s = 0.0;
 };
 
+/// What did not go through, in the whole run.
+struct Refusals {
+  std::uint64_t commands_refused = 0;  ///< a speed was not finite: both wheels stopped
+  std::uint64_t commands_clamped = 0;  ///< beyond the wheel limit
+  std::uint64_t frames_over_mtu = 0;
+  std::uint64_t frames_on_bad_channel = 0;
+  std::uint64_t frames_lost = 0;        ///< by the scenario's loss probability
+  std::uint64_t frames_queue_full = 0;  ///< the receiver had enough of the step
+};
+
 /// What the engine knows of a run, at its end or so far.
 struct RunEnd {
   std::string digest;      ///< 16 hex digits
@@ -35,6 +45,7 @@ struct RunEnd {
   bool interrupted = false;
   std::string failure;  ///< why it ended early; empty: it did not
   TimeSplit time_split;
+  Refusals refusals;
   double wall_time_s = 0.0;  ///< from the first step to the last
 };
 

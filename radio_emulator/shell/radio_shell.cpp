@@ -67,6 +67,7 @@ void RadioShell::on_truth(const msg::WorldTruth& sample) {
   if (stamp > newest_ && open_) evaluate(false);
   const bool evaluated_already = stamp == newest_ && !open_;
   newest_ = stamp;
+  if (sample.last()) publish_status();  // an observer writes the last counts down
   if (evaluated_already || sample.last()) return;
   open_ = sample;
   evaluate_if_complete();

@@ -150,10 +150,12 @@ void Agent::Impl::report(const Motion& motion, AirOutputs& air, Notes& notes, Ou
   now.origin = origin;
   now.towards_destination = carrier != nullptr && carrier->towards_destination();
   now.trips = carrier == nullptr ? 0 : carrier->trips();
+  now.malformed_frames = last_report.malformed_frames + air.malformed;
   now.path_changed = notes.path_changed;
-  outputs.reports = !reported || notes.path_changed || !air.ended.empty() || !notes.events.empty() ||
-                    now.mode != last_report.mode || now.activity != last_report.activity ||
-                    now.origin != last_report.origin || now.trips != last_report.trips ||
+  outputs.reports = !reported || notes.path_changed || !air.ended.empty() || air.malformed > 0 ||
+                    !notes.events.empty() || now.mode != last_report.mode ||
+                    now.activity != last_report.activity || now.origin != last_report.origin ||
+                    now.trips != last_report.trips ||
                     now.towards_destination != last_report.towards_destination;
   last_report = now;
   reported = true;

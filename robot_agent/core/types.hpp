@@ -98,8 +98,9 @@ struct Report {
   Mode mode = Mode::kExplore;
   Activity activity = Activity::kIdle;
   Origin origin = Origin::kNone;
-  bool towards_destination = false;  ///< direction of travel along the path
-  std::uint32_t trips = 0;           ///< pick-ups so far
+  bool towards_destination = false;    ///< direction of travel along the path
+  std::uint32_t trips = 0;             ///< pick-ups so far
+  std::uint64_t malformed_frames = 0;  ///< heard so far that are not of the protocol
   bool path_changed = false;
   std::vector<Point> path;          ///< from the source to the destination; meaningful when path_changed
   std::vector<Exchange> exchanges;  ///< ended in this step

@@ -63,6 +63,7 @@ msg::Telemetry to_telemetry(const Report& report) {
   telemetry.origin(static_cast<std::uint8_t>(report.origin));
   telemetry.towards_destination(report.towards_destination);
   telemetry.trips(report.trips);
+  telemetry.malformed_frames(report.malformed_frames);
   telemetry.path_changed(report.path_changed);
   for (const Point& point : report.path) {
     msg::PathPoint vertex;

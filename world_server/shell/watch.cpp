@@ -33,7 +33,7 @@ int WorldShell::run() {
 
 void WorldShell::watch(Wall now) {
   progress();
-  if (config_.experiment.pacing == Pacing::kFree && phase_ == Phase::kOpen && now >= due_) free_step(now);
+  if (config_.experiment.pacing == Pacing::kFree && phase_ == Phase::kOpen && now >= due_) free_step();
   if (barrier_.let_go(now)) {
     publish_truth(false);
     progress();
@@ -44,7 +44,7 @@ void WorldShell::watch(Wall now) {
   }
 }
 
-void WorldShell::free_step(Wall /*now*/) {
+void WorldShell::free_step() {
   for (std::size_t i = 0; i < commands_.size(); ++i) {
     if (commands_[i] && stamp_ - commanded_at_[i] > kDeadman) commands_[i].reset();
   }

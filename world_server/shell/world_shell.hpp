@@ -63,7 +63,7 @@ class WorldShell {
 
   // The main thread.
   void watch(Wall now);
-  void free_step(Wall now);
+  void free_step();
   void publish_status(Wall now);
   void name_the_late(Wall now);
   [[nodiscard]] Wall next_deadline(Wall now) const;

@@ -120,6 +120,19 @@ TEST(Metrics, ReportsOfRobotsThatDoNotExistAreIgnored) {
   EXPECT_EQ(metrics.result().robots.size(), 1U);
 }
 
+TEST(Metrics, AddsUpTheMalformedFramesThatEachRobotHasHeardSoFar) {
+  Metrics metrics{2};
+  AgentReport first = doing(1, Activity::kDriving);
+  AgentReport second = doing(2, Activity::kDriving);
+  first.malformed_frames = 3;
+  second.malformed_frames = 1;
+  metrics.observe(with(with(at(seconds{1}, {{0, 0}, {1, 1}}), first), second));
+  first.malformed_frames = 5;
+  metrics.observe(with(at(seconds{2}, {{0, 0}, {1, 1}}), first));
+
+  EXPECT_EQ(metrics.result().malformed_frames, 6U);
+}
+
 RunFacts facts_of(std::uint32_t items) {
   return {.scenario = "small",
           .engine = "embedded",
@@ -136,6 +149,7 @@ TEST(MetricsJson, HasExactlyTheKeysThatToolsRelyOnAndThoseAddedSince) {
   RunEnd end;
   end.digest = "0123456789abcdef";
   end.wall_time_s = 2.5;
+  end.refusals.frames_lost = 17;
 
   const std::string text = metrics_json(facts_of(4), metrics.result(), end);
 
@@ -160,6 +174,14 @@ TEST(MetricsJson, HasExactlyTheKeysThatToolsRelyOnAndThoseAddedSince) {
                           "contacts",
                           "robot_robot",
                           "robot_static",
+                          "commands",
+                          "refused",
+                          "clamped",
+                          "frames",
+                          "over_mtu",
+                          "bad_channel",
+                          "queue_full",
+                          "malformed",
                           "per_robot",
                           "id",
                           "found_s",
@@ -184,6 +206,7 @@ TEST(MetricsJson, HasExactlyTheKeysThatToolsRelyOnAndThoseAddedSince) {
   EXPECT_THAT(text, testing::HasSubstr("\"found_s\": null"));
   EXPECT_THAT(text, testing::HasSubstr("\"real_time_factor\": 4.0"));
   EXPECT_THAT(text, testing::HasSubstr("\"path_length_m\": 5.0"));
+  EXPECT_THAT(text, testing::HasSubstr("\"lost\": 17"));
 }
 
 TEST(Outcome, SaysHowARunEndedAndWhatToExitWith) {
