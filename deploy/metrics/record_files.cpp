@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "deploy/metrics/routes.hpp"
+
 namespace caravan::deploy {
 namespace {
 
@@ -11,6 +13,20 @@ constexpr Time kTrackPeriod = std::chrono::seconds{1};
 
 std::string seconds(Time time) { return fixed(in_seconds(time), 3); }
 std::string seconds(const std::optional<Time>& time) { return time ? seconds(*time) : std::string{}; }
+
+const char* in_words(Activity activity) {
+  switch (activity) {
+    case Activity::kIdle:
+      return "idle";
+    case Activity::kDriving:
+      return "driving";
+    case Activity::kAvoiding:
+      return "avoiding";
+    case Activity::kExchanging:
+      return "exchanging";
+  }
+  return "";
+}
 
 std::string in_words(const Exchange& exchange) {
   return "partner=" + std::to_string(exchange.partner) + " session=" + std::to_string(exchange.session) +
@@ -25,6 +41,8 @@ RecordFiles::RecordFiles(const std::filesystem::path& folder, std::uint32_t robo
     : tracks_{folder / "tracks.csv", {"time_s", "robot", "x_m", "y_m", "yaw_rad", "mode"}},
       trips_{folder / "trips.csv", {"robot", "trip", "picked_up_s", "delivered_s", "next_pick_up_s"}},
       events_{folder / "events.csv", {"time_s", "robot", "event", "detail"}},
+      activities_{folder / "activities.csv", {"time_s", "robot", "activity"}},
+      path_lengths_{folder / "path_lengths.csv", {"time_s", "robot", "length_m"}},
       robots_(robots) {}
 
 RecordFiles::Robot* RecordFiles::find(std::uint32_t robot) {
@@ -71,7 +89,13 @@ void RecordFiles::record_report(Time stamp, const AgentReport& report) {
   Robot* robot = find(report.robot);
   if (robot == nullptr) return;
   robot->mode = report.mode;
+  if (robot->activity != report.activity) {
+    activities_.row({seconds(stamp), std::to_string(report.robot), in_words(report.activity)});
+  }
   robot->activity = report.activity;
+  if (report.path_changed && !report.path.empty()) {
+    path_lengths_.row({seconds(stamp), std::to_string(report.robot), fixed(path_length_m(report.path), 3)});
+  }
   for (const Exchange& exchange : report.exchanges) {
     event(stamp, report.robot, "exchange", in_words(exchange));
   }
@@ -101,6 +125,8 @@ void RecordFiles::flush() {
   tracks_.flush();
   trips_.flush();
   events_.flush();
+  activities_.flush();
+  path_lengths_.flush();
 }
 
 void RecordFiles::close() {

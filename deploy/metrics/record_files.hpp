@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "deploy/metrics/csv_file.hpp"
@@ -9,7 +10,8 @@
 
 namespace caravan::deploy {
 
-/// tracks.csv, trips.csv and events.csv of a run, written while it goes on. docs/outputs.md has the columns.
+/// tracks.csv, trips.csv, events.csv, activities.csv and path_lengths.csv of a run, written while it goes on.
+/// docs/outputs.md has the columns.
 class RecordFiles {
  public:
   /// @throws runtime::StartError when a file cannot be written
@@ -24,7 +26,7 @@ class RecordFiles {
  private:
   struct Robot {
     Mode mode = Mode::kExplore;
-    Activity activity = Activity::kIdle;
+    std::optional<Activity> activity{};  // as last reported
     bool member = false;
   };
   [[nodiscard]] Robot* find(std::uint32_t robot);
@@ -38,6 +40,8 @@ class RecordFiles {
   CsvFile tracks_;
   CsvFile trips_;
   CsvFile events_;
+  CsvFile activities_;
+  CsvFile path_lengths_;
   std::vector<Robot> robots_;
   TripBook trip_book_;
   Time next_track_{0};

@@ -59,7 +59,8 @@ TEST_P(EngineEquality, ProcessesOnDdsAndOneProcessGiveTheSameRunBitForBit) {
 
   ASSERT_EQ(on_dds["digest"], in_one["digest"]);
   EXPECT_EQ(without_wall_time(on_dds), without_wall_time(in_one));
-  for (const char* name : {"tracks.csv", "trips.csv", "events.csv", "paths.csv"}) {
+  for (const char* name :
+       {"tracks.csv", "trips.csv", "events.csv", "paths.csv", "activities.csv", "path_lengths.csv"}) {
     EXPECT_EQ(first_difference(read_file(dds / name), read_file(embedded / name)), "") << name;
   }
 }

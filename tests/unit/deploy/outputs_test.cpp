@@ -113,6 +113,38 @@ TEST_F(Outputs, EventsTellWhatHappenedToWhomAndQuoteCommas) {
                                    "2.000,1,blocked,\"at=\"\"1,2\"\"\""));
 }
 
+TEST_F(Outputs, ActivitiesHaveARowForEachChangeOnly) {
+  RecordFiles files{folder_, 2};
+  files.observe(with(at(seconds{0}, {{0, 0}, {1, 1}}), doing(1, Activity::kDriving)));
+  files.observe(with(at(seconds{1}, {{0, 0}, {1, 1}}), doing(1, Activity::kDriving)));
+  files.observe(with(at(seconds{2}, {{0, 0}, {1, 1}}), doing(1, Activity::kAvoiding)));
+  files.observe(with(at(seconds{3}, {{0, 0}, {1, 1}}), doing(2, Activity::kExchanging)));
+  files.observe(with(at(seconds{4}, {{0, 0}, {1, 1}}), doing(2, Activity::kIdle)));
+  files.close();
+
+  EXPECT_THAT(lines_of("activities.csv"),
+              testing::ElementsAre("time_s,robot,activity", "0.000,1,driving", "2.000,1,avoiding",
+                                   "3.000,2,exchanging", "4.000,2,idle"));
+}
+
+TEST_F(Outputs, PathLengthsHaveARowForEachNewPathInUse) {
+  RecordFiles files{folder_, 1};
+  AgentReport report = doing(1, Activity::kDriving);
+  files.observe(with(at(seconds{0}, {{0, 0}}), report));
+  report.path_changed = true;
+  report.path = {{0, 0}, {3, 4}, {3, 5}};
+  files.observe(with(at(seconds{1}, {{0, 0}}), report));
+  report.path_changed = false;
+  files.observe(with(at(seconds{2}, {{0, 0}}), report));
+  report.path_changed = true;
+  report.path = {{0, 0}, {3, 4}};
+  files.observe(with(at(seconds{3}, {{0, 0}}), report));
+  files.close();
+
+  EXPECT_THAT(lines_of("path_lengths.csv"),
+              testing::ElementsAre("time_s,robot,length_m", "1.000,1,6.000", "3.000,1,5.000"));
+}
+
 TEST_F(Outputs, TheEndOfARunIsNobodysLeaving) {
   RecordFiles files{folder_, 1};
   files.observe(at(seconds{0}, {{0, 0}}));
@@ -171,7 +203,8 @@ TEST_F(Outputs, ARecordLeavesAllItsFilesAndTheExitCode) {
 
   EXPECT_EQ(record.close({}), 0);
 
-  for (const char* name : {"metrics.json", "tracks.csv", "trips.csv", "events.csv", "paths.csv"}) {
+  for (const char* name : {"metrics.json", "tracks.csv", "trips.csv", "events.csv", "paths.csv",
+                           "activities.csv", "path_lengths.csv"}) {
     EXPECT_TRUE(fs::is_regular_file(folder_ / name)) << name;
   }
   EXPECT_THAT(lines_of("paths.csv"),
