@@ -35,6 +35,7 @@ void take_robots(const runtime::RobotsTable& robots, Config& config) {
   config.body_width_m = robots.body_width_m;
   config.sonar_aperture_rad = robots.sonar.aperture_rad;
   config.sonar_range_m = robots.sonar.range_m;
+  config.robots_are_solid = robots.solid;
 }
 
 void read_driving(runtime::TomlTable& table, Config& config) {
@@ -61,6 +62,7 @@ void read_sharing(runtime::TomlTable& table, Config& config) {
   auto sharing = static_cast<std::size_t>(config.sharing);
   table.read_choice("mode", sharing, {"none", "partial", "full"});
   config.sharing = static_cast<Sharing>(sharing);
+  table.read("stop_to_exchange", config.stop_to_exchange);
   read_time(table, "sharing_starts_s", config.sharing_starts);
   read_time(table, "recontact_after_s", config.recontact_after);
   read_time(table, "wait_period_s", config.wait_period);

@@ -69,7 +69,8 @@ std::optional<Perception> Agent::Impl::perceive(const Inputs& inputs, bool robot
   if (!knows_where_it_is(inputs.sensors)) return std::nullopt;
   last_p_WB = inputs.sensors.p_WB;
   const Time remembers = std::max(kRemembersRobot, config.wait_period + config.wait_period / 5);
-  const bool near = robot_last_heard && inputs.now - *robot_last_heard <= remembers;
+  const bool near =
+      config.robots_are_solid && robot_last_heard && inputs.now - *robot_last_heard <= remembers;
   Perception seen{inputs.now,
                   inputs.sensors.p_WB,
                   inputs.sensors.yaw_WB_rad,
@@ -88,7 +89,7 @@ Outputs Agent::Impl::step(const Inputs& inputs) {
   if (auto* carrier = std::get_if<Carrier>(&task); carrier != nullptr && seen) carrier->sense(*seen, notes);
 
   Motion motion;
-  if (air.stand_still) {
+  if (air.stand_still && config.stop_to_exchange) {
     motion = driver.stand(Activity::kExchanging);
   } else if (!seen) {
     motion = driver.stand(Activity::kIdle);

@@ -29,6 +29,7 @@ struct Config {
   double body_width_m = 0.381;
   double sonar_aperture_rad = 0.4;  ///< full cone of each sonar
   double sonar_range_m = 5.0;
+  bool robots_are_solid = true;  ///< false: robots pass through one another, so nobody gives way to anybody
 
   // Exploration (Algorithm 2).
   double exploration_step_m = 1.0;       ///< to the next location
@@ -53,6 +54,7 @@ struct Config {
 
   // Communication (Algorithms 5 to 7).
   Sharing sharing = Sharing::kFull;
+  bool stop_to_exchange = true;  ///< false: drives on while it negotiates and exchanges
   std::chrono::nanoseconds sharing_starts = std::chrono::minutes{15};
   std::chrono::nanoseconds recontact_after = std::chrono::minutes{10};
   std::chrono::nanoseconds wait_period{0};  ///< between WAIT frames; 0: every step

@@ -22,6 +22,7 @@ RobotsTable read_robots(const TomlDocument& scenario) {
   table.read("wheel_radius_m", robots.wheel_radius_m, kPositive);
   table.read("gps_noise_m", robots.gps_noise_m, kNotNegative);
   table.read("compass_noise_rad", robots.compass_noise_rad, kNotNegative);
+  table.read("solid", robots.solid);
   TomlTable sonar = table.table("sonar");
   sonar.read("rays", robots.sonar.rays, {1, 32});
   sonar.read("aperture_rad", robots.sonar.aperture_rad, {0.0, std::numbers::pi / 2.0});

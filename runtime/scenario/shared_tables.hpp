@@ -35,6 +35,9 @@ struct RobotsTable {
   double wheel_radius_m = 0.0975;
   double gps_noise_m = 0.0;  ///< standard deviation of each coordinate
   double compass_noise_rad = 0.0;
+  /// False: robots neither touch nor sense one another and pay no heed to each other; only radio joins them.
+  /// No deployment is like that: it is for measuring what traffic costs.
+  bool solid = true;
   SonarTable sonar;  ///< `[robots.sonar]`
 };
 

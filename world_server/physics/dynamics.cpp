@@ -32,6 +32,7 @@ struct Dynamics::Impl {
       : plan{config.robots},
         bumps{plan.mass_centre[2]},
         spring{calm_spring(config.robots.mass_kg, config.step_s / config.substeps)},
+        robots_collide{config.robots.solid},
         statics{config, body_radius_m(config.robots) + reach_margin(config)},
         hull_radius{body_radius_m(config.robots)},
         margin{reach_margin(config)},
@@ -74,8 +75,9 @@ struct Dynamics::Impl {
   void find_pairs() {
     places.clear();
     for (const Pose& pose : poses) places.push_back({pose.x_m, pose.y_m});
-    neighbours.rebuild(places, 2.0 * (hull_radius + margin));
     pairs.clear();
+    if (!robots_collide) return;
+    neighbours.rebuild(places, 2.0 * (hull_radius + margin));
     for (std::uint32_t i = 0; i < places.size(); ++i) {
       neighbours.near(places[i], found);
       for (const std::uint32_t k : found) {
@@ -155,6 +157,7 @@ struct Dynamics::Impl {
   BodyPlan plan;
   Bumps bumps;
   Spring spring;
+  bool robots_collide;
   Statics statics;
   double hull_radius;
   double margin;

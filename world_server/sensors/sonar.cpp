@@ -37,6 +37,7 @@ std::vector<Solid> solids_of(const WorldConfig& config) {
 
 Sonars::Sonars(const WorldConfig& config)
     : sonar_{config.robots.sonar},
+      robots_echo_{config.robots.solid},
       body_low_{config.robots.body_ahead_m - config.robots.body_length_m, -0.5 * config.robots.body_width_m},
       body_high_{config.robots.body_ahead_m, 0.5 * config.robots.body_width_m},
       body_height_{config.robots.body_height_m},
@@ -111,7 +112,8 @@ void Sonars::gather(std::size_t robot) {
   for (const std::uint32_t i : face_map_->near(base)) around_.faces.push_back(faces_[i]);
   for (const std::uint32_t i : disc_map_->near(base)) around_.discs.push_back(discs_[i]);
   bodies_.clear();
-  neighbours_.near(base, others_);
+  others_.clear();
+  if (robots_echo_) neighbours_.near(base, others_);
   for (const std::uint32_t other : others_) {
     if (other != robot) bodies_.push_back(body_of(poses_[other]));
   }

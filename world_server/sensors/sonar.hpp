@@ -18,7 +18,8 @@ namespace caravan::world {
 /// Each ray ends at the nearest surface, the floor included. It brings an echo when the angle between it and
 /// the inward normal of that surface is below reflection_rad, otherwise it is lost. A transducer's range is
 /// the nearest echo of its rays within range_m, +inf when there is none, 0 when it is inside something. A
-/// robot never hears its own body. Other robots are upright boxes from the floor to body_height_m.
+/// robot never hears its own body. Other robots are upright boxes from the floor to body_height_m, unless
+/// they are not solid: then nobody hears them.
 class Sonars {
  public:
   explicit Sonars(const WorldConfig& config);
@@ -63,6 +64,7 @@ class Sonars {
   [[nodiscard]] Hit cast(Point from, Ray ray) const;
 
   runtime::SonarTable sonar_;
+  bool robots_echo_;
   Point body_low_;  // the hull in frame B
   Point body_high_;
   double body_height_ = 0.0;

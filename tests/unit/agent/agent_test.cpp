@@ -108,6 +108,35 @@ TEST(Agent, WithoutSonarsItStops) {
   EXPECT_EQ(agent.step({0ms, blind, {}}).wheels, Wheels{});
 }
 
+/// Does the agent avoid anything while it approaches the destination, with a wall beyond that and another
+/// robot heard behind it?
+bool gives_way(bool robots_are_solid) {
+  Config config;
+  config.id = RobotId{2};
+  config.destination = {2.0, 0.0};
+  config.service_radius_m = config.arrival_radius_m = 0.3;
+  config.robots_are_solid = robots_are_solid;
+  Agent agent{config};
+  Agent other{Config{}};
+  Sensors sensors;
+  for (int i = 0; i < 200; ++i) {
+    sensors.sonar_range_m.fill(std::numeric_limits<double>::infinity());
+    for (const std::size_t front : {3U, 4U}) sensors.sonar_range_m[front] = 2.7 - sensors.p_WB.x();
+    const auto heard = other.step({i * 32ms, sensors, {}}).frames;
+    const Outputs outputs = agent.step({i * 32ms, sensors, heard});
+    if (outputs.report.activity == Activity::kAvoiding) return true;
+    if (outputs.report.mode == Mode::kTransport) return false;
+    sensors.p_WB.x() += 0.016 * (outputs.wheels.left_mps + outputs.wheels.right_mps);
+  }
+  ADD_FAILURE() << "never came to the destination";
+  return false;
+}
+
+TEST(Agent, GivesWayToSomethingAheadWhenItHearsARobotUnlessRobotsAreNotSolid) {
+  EXPECT_TRUE(gives_way(true));
+  EXPECT_FALSE(gives_way(false));
+}
+
 TEST(Agent, SaysItIsThereInEveryStepOnTheCommonChannel) {
   const Drive recorded = drive(room(), 100);
   for (const Outputs& outputs : recorded.outputs) {

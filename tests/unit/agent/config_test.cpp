@@ -42,6 +42,15 @@ TEST(AgentConfig, ARobotThatTheScenarioDoesNotHaveIsRefusedByName) {
   EXPECT_NO_THROW((void)load_config(scenario, 4));
 }
 
+TEST(AgentConfig, TrafficAndStopsToExchangeCanBeSwitchedOff) {
+  const auto scenario =
+      TomlDocument::parse("[robots]\nsolid = false\n[algorithm]\nstop_to_exchange = false\n", "a.toml");
+  EXPECT_FALSE(load_config(scenario, 1).robots_are_solid);
+  EXPECT_FALSE(load_config(scenario, 1).stop_to_exchange);
+  EXPECT_TRUE(Config{}.robots_are_solid);
+  EXPECT_TRUE(Config{}.stop_to_exchange);
+}
+
 struct Refused {
   const char* text;
   const char* message;

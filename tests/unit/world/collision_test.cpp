@@ -212,6 +212,24 @@ TEST(Collision, NobodyPassesThroughAnybodyInACrowd) {
   EXPECT_GT(crowded, 300U);
 }
 
+TEST(Collision, RobotsThatAreNotSolidPassThroughEachOtherAndNotThroughWalls) {
+  WorldConfig config = empty_world(6.0, 2);
+  config.robots.solid = false;
+  Dynamics physics{config, std::array{Pose{-1.0, 0.0, 0.0}, Pose{1.0, 0.0, 180.0 * kDegree}}};
+  physics.drive(0, 0.5, 0.5);
+  physics.drive(1, 0.5, 0.5);
+  for (std::uint64_t i = 0; i < steps_in(4.0); ++i) {
+    physics.advance();
+    EXPECT_TRUE(physics.touches().empty());
+  }
+  EXPECT_NEAR(physics.poses()[0].x_m, 1.0, 0.1);
+  EXPECT_NEAR(physics.poses()[1].x_m, -1.0, 0.1);
+  EXPECT_NEAR(physics.poses()[0].y_m, 0.0, 0.01);
+  for (std::uint64_t i = 0; i < steps_in(6.0); ++i) physics.advance();
+  EXPECT_LT(physics.poses()[0].x_m, 3.0);
+  EXPECT_GT(physics.poses()[1].x_m, -3.0);
+}
+
 TEST(Collision, ReportsWhoTouchesWhatAndNothingElse) {
   const WorldConfig config = empty_world(6.0, 3);
   // 1 drives into 3, 2 drives into the wall behind it.

@@ -84,6 +84,13 @@ TEST(Sonar, NeverHearsTheRobotItSitsOnButHearsOthers) {
   EXPECT_NEAR(front, 2.0 - 0.200 - face_x(), 1e-12);
 }
 
+TEST(Sonar, HearsNoRobotThatIsNotSolid) {
+  WorldConfig config = one_ray_world(8.0, 2);
+  config.robots.solid = false;
+  const auto alone = heard(one_ray_world(8.0), {looking_along_x()});
+  EXPECT_EQ(heard(config, {looking_along_x(), {1.0, 0.0, 0.0}}), alone);
+}
+
 TEST(Sonar, HearsARobotThatTouchesIt) {
   WorldConfig config = one_ray_world(100.0, 2);
   config.robots.sonar.rays = 8;
