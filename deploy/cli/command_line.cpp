@@ -2,8 +2,10 @@
 #include "deploy/cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <thread>
 
 #include "runtime/process/run_process.hpp"
 #include "runtime/process/version.hpp"
@@ -11,24 +13,60 @@
 namespace caravan::deploy {
 namespace {
 
-void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
-  run.add_option("scenario", command.scenario, "Scenario file (TOML)")->required();
-  run.add_option("--engine", engine, "dds: a process for each part; embedded: all in this process")
+void add_changes(CLI::App& app, Overrides& overrides) {
+  app.add_option("--robots", overrides.robots, "Number of robots");
+  app.add_option("--items", overrides.items, "Deliveries that end the run; 0: it ends with the time");
+  app.add_option("--max-time", overrides.max_time_s, "Simulated seconds after which the run ends");
+  app.add_option("--pacing", overrides.pacing, "fast, realtime or free")
+      ->check(CLI::IsMember({"fast", "realtime", "free"}));
+}
+
+void add_engine(CLI::App& app, std::string& engine) {
+  app.add_option("--engine", engine, "dds: a process for each part; embedded: all in one process")
       ->check(CLI::IsMember({"dds", "embedded"}))
       ->capture_default_str();
+}
+
+void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
+  run.add_option("scenario", command.scenario, "Scenario file (TOML)")->required();
+  add_engine(run, engine);
   run.add_option("--mode", command.overrides.mode, "Communication: none, partial or full")
       ->check(CLI::IsMember({"none", "partial", "full"}));
   run.add_option("--seed", command.overrides.seed, "Seed of everything random")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{std::numeric_limits<std::int64_t>::max()}));
-  run.add_option("--robots", command.overrides.robots, "Number of robots");
-  run.add_option("--items", command.overrides.items, "Deliveries that end the run; 0: it ends with the time");
-  run.add_option("--max-time", command.overrides.max_time_s, "Simulated seconds after which the run ends");
-  run.add_option("--pacing", command.overrides.pacing, "fast, realtime or free")
-      ->check(CLI::IsMember({"fast", "realtime", "free"}));
+  add_changes(run, command.overrides);
   run.add_option("--domain", command.domain, "DDS domain; without it a free one is taken")
       ->check(CLI::Range(0U, 232U));
   run.add_option("--out", command.out, "Folder for the results; must be new or empty");
   run.add_flag("--quiet", command.quiet, "No progress, no result table");
+}
+
+void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
+  sweep.add_option("scenario", command.scenario, "Scenario file (TOML)")->required();
+  sweep.add_option("--seeds", command.seeds, "Seeds, as in 1-30 or 1,4,7-9")->capture_default_str();
+  sweep.add_option("--modes", command.modes, "Modes of communication, comma-separated")
+      ->capture_default_str();
+  add_engine(sweep, command.engine);
+  add_changes(sweep, command.overrides);
+  command.jobs = std::max(1U, std::thread::hardware_concurrency());
+  sweep.add_option("--jobs", command.jobs, "Runs at a time; without it one for each processor")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{4096}));
+  CLI::Option* out = sweep.add_option(
+      "--out", command.out, "Folder for the results; one that holds a part of them is gone on with");
+  CLI::Option* task =
+      sweep.add_option("--task-index", command.task,
+                       "Only the run of this index, from 0, and no tables: for arrays of batch jobs");
+  CLI::Option* summarise =
+      sweep.add_flag("--summarise", command.summarise, "Only the tables of what is there, no runs")
+          ->excludes(task);
+  sweep.add_flag("--retry-failed", command.retry_failed, "Do the runs that failed once more")
+      ->excludes(summarise);
+  CLI::Option* count =
+      sweep.add_flag("--count", command.count, "Only say how many runs there are")->excludes(task, summarise);
+  sweep.add_flag("--quiet", command.quiet, "No progress, no table");
+  sweep.callback([out, count] {
+    if (out->empty() && count->empty()) throw CLI::RequiredError{"--out"};
+  });
 }
 
 Exit explain(const CLI::App& app, const CLI::ParseError& error) {
@@ -39,7 +77,7 @@ Exit explain(const CLI::App& app, const CLI::ParseError& error) {
 
 }  // namespace
 
-std::variant<CheckCommand, RunCommand, Exit> read_command_line(int argc, const char* const* argv) {
+Command read_command_line(int argc, const char* const* argv) {
   CLI::App app{"Runs swarms of transporting robots: agents, emulated world, emulated radio", "caravan"};
   app.set_version_flag("--version", "caravan " + std::string{runtime::kVersion});
   app.require_subcommand(1);
@@ -47,6 +85,9 @@ std::variant<CheckCommand, RunCommand, Exit> read_command_line(int argc, const c
   std::string engine = "dds";
   CLI::App* run = app.add_subcommand("run", "Run a scenario and report its result");
   add_run_options(*run, run_command, engine);
+  SweepCommand sweep_command;
+  CLI::App* sweep = app.add_subcommand("sweep", "Run a scenario with many seeds and modes");
+  add_sweep_options(*sweep, sweep_command);
   CheckCommand check_command;
   CLI::App* check = app.add_subcommand("check", "Check a scenario file and run nothing");
   check->add_option("scenario", check_command.scenario, "Scenario file (TOML)")->required();
@@ -57,6 +98,7 @@ std::variant<CheckCommand, RunCommand, Exit> read_command_line(int argc, const c
   }
   run_command.embedded = engine == "embedded";
   if (check->parsed()) return check_command;
+  if (sweep->parsed()) return sweep_command;
   return run_command;
 }
 

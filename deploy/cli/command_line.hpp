@@ -24,13 +24,29 @@ struct RunCommand {
   bool quiet = false;
 };
 
+struct SweepCommand {
+  std::filesystem::path scenario;
+  std::string engine = "embedded";
+  std::string seeds = "1-10";               ///< as read_seeds() takes it
+  std::string modes = "none,partial,full";  ///< as read_modes() takes it
+  Overrides overrides;                      ///< of every run; neither mode nor seed
+  std::size_t jobs = 1;                     ///< without the option: one for each processor
+  std::filesystem::path out;
+  std::optional<std::size_t> task;
+  bool count = false;  ///< only say how many runs there are
+  bool summarise = false;
+  bool retry_failed = false;
+  bool quiet = false;
+};
+
 /// Nothing is left to do: help or version was shown, or the command line was wrong and it was said why.
 struct Exit {
   int code = 0;
 };
 
+using Command = std::variant<CheckCommand, RunCommand, SweepCommand, Exit>;
+
 /// What the command line of `caravan` asks for. Errors are one line on standard error and exit code 2.
-[[nodiscard]] std::variant<CheckCommand, RunCommand, Exit> read_command_line(int argc,
-                                                                             const char* const* argv);
+[[nodiscard]] Command read_command_line(int argc, const char* const* argv);
 
 }  // namespace caravan::deploy

@@ -4,9 +4,11 @@
 
 #include "deploy/cli/check_scenario.hpp"
 #include "deploy/cli/command_line.hpp"
+#include "deploy/cli/plan_sweep.hpp"
 #include "deploy/embedded/run_embedded.hpp"
 #include "deploy/launcher/run_dds.hpp"
 #include "deploy/metrics/run_directory.hpp"
+#include "deploy/sweep/run_sweep.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
 
@@ -41,9 +43,27 @@ int run(const deploy::RunCommand& command) {
   return command.embedded ? deploy::run_embedded(request) : deploy::run_dds(request);
 }
 
+int sweep(const deploy::SweepCommand& command) {
+  runtime::Loop loop;
+  deploy::SweepPlan plan = deploy::plan_sweep(command);
+  if (command.count) {
+    std::printf("%zu\n", plan.runs.size());
+    return runtime::kDone;
+  }
+  return deploy::run_sweep({.plan = std::move(plan),
+                            .folder = std::filesystem::absolute(command.out),
+                            .jobs = command.jobs,
+                            .task = command.task,
+                            .summarise = command.summarise,
+                            .retry_failed = command.retry_failed,
+                            .quiet = command.quiet,
+                            .loop = loop});
+}
+
 int obey(const deploy::Exit& exit) { return exit.code; }
 int obey(const deploy::CheckCommand& command) { return check(command); }
 int obey(const deploy::RunCommand& command) { return run(command); }
+int obey(const deploy::SweepCommand& command) { return sweep(command); }
 
 }  // namespace
 

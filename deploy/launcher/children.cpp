@@ -38,7 +38,12 @@ Children::Children(std::filesystem::path log_folder, std::function<void()> on_en
 
 Children::~Children() {
   stop(std::chrono::seconds{3});
-  if (waiter_.joinable()) waiter_.join();
+  {
+    const std::lock_guard lock{mutex_};
+    closing_ = true;
+  }
+  started_.notify_all();
+  waiter_.join();
 }
 
 void Children::start(const std::string& name, const std::vector<std::string>& command_line) {
@@ -50,24 +55,32 @@ void Children::start(const std::string& name, const std::vector<std::string>& co
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const pid_t parent = getpid();
-  const pid_t pid = fork();
-  if (pid == 0) become(arguments, log, parent);
-  close(log);
-  if (pid < 0) throw runtime::StartError{"cannot start " + name + ": " + std::strerror(errno)};
-  const std::lock_guard lock{mutex_};
-  running_[pid] = name;
+  {
+    const std::lock_guard lock{mutex_};  // the waiter must not see its end before it has a name
+    const pid_t pid = fork();
+    if (pid == 0) become(arguments, log, parent);
+    close(log);
+    if (pid < 0) throw runtime::StartError{"cannot start " + name + ": " + std::strerror(errno)};
+    running_[pid] = name;
+  }
+  started_.notify_all();
 }
 
 void Children::watch() {
+  if (waiter_.joinable()) return;
   waiter_ = std::thread{[this] { wait_for_ends(); }};
 }
 
 void Children::wait_for_ends() {
   for (;;) {
+    {
+      std::unique_lock lock{mutex_};
+      started_.wait(lock, [this] { return closing_ || !running_.empty(); });
+      if (running_.empty()) return;
+    }
     int status = 0;
     const pid_t pid = waitpid(-1, &status, 0);
-    if (pid < 0 && errno == EINTR) continue;
-    if (pid < 0) return;  // no child is left
+    if (pid < 0) continue;
     {
       const std::lock_guard lock{mutex_};
       const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
@@ -102,7 +115,7 @@ bool Children::wait_until_none(std::chrono::milliseconds patience) {
 }
 
 std::vector<std::string> Children::stop(std::chrono::milliseconds patience) {
-  if (!waiter_.joinable()) watch();
+  watch();
   std::vector<std::string> killed;
   signal_all(SIGTERM);
   signal_all(SIGCONT);  // a stopped process cannot act on SIGTERM

@@ -38,7 +38,7 @@ class Children {
 
   /// @throws StartError when it cannot be started
   void start(const std::string& name, const std::vector<std::string>& command_line);
-  /// After the last start: begins to wait for ends.
+  /// Begins to wait for ends, of those started and those yet to start.
   void watch();
   /// Ends since the last call, in order.
   [[nodiscard]] std::vector<Ended> ended();
@@ -54,9 +54,11 @@ class Children {
   std::filesystem::path log_folder_;
   std::function<void()> on_end_;
   mutable std::mutex mutex_;
+  std::condition_variable started_;
   std::condition_variable none_left_;
   std::map<pid_t, std::string> running_;
   std::vector<Ended> ended_;
+  bool closing_ = false;
   std::thread waiter_;
 };
 

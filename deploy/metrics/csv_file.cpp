@@ -28,6 +28,16 @@ std::string fixed(double value, int decimals) {
   return {text.data(), static_cast<std::size_t>(length)};
 }
 
+std::string csv_row(const std::vector<std::string>& fields) {
+  std::string line;
+  const char* separator = "";
+  for (const std::string& field : fields) {
+    line += separator + quoted(field);
+    separator = ",";
+  }
+  return line + '\n';
+}
+
 CsvFile::CsvFile(const std::filesystem::path& file, const std::vector<std::string>& header)
     : name_{file.string()}, out_{file} {
   if (!out_) throw runtime::StartError{file.string() + ": cannot be written"};
@@ -40,13 +50,6 @@ void CsvFile::flush() {
   if (!out_) throw std::runtime_error{name_ + ": cannot be written any more"};
 }
 
-void CsvFile::row(const std::vector<std::string>& fields) {
-  const char* separator = "";
-  for (const std::string& field : fields) {
-    out_ << separator << quoted(field);
-    separator = ",";
-  }
-  out_ << '\n';
-}
+void CsvFile::row(const std::vector<std::string>& fields) { out_ << csv_row(fields); }
 
 }  // namespace caravan::deploy

@@ -11,6 +11,9 @@ namespace caravan::deploy {
 /// A number with a fixed count of decimals.
 [[nodiscard]] std::string fixed(double value, int decimals);
 
+/// One row of a CSV file (RFC 4180 quoting), its line end included.
+[[nodiscard]] std::string csv_row(const std::vector<std::string>& fields);
+
 /// A CSV file (RFC 4180 quoting, \n line ends) that is written row by row.
 class CsvFile {
  public:

@@ -37,6 +37,8 @@ ALLOWED = {
                         "robot_agent/core", "robot_agent/config", "world_server", "radio_emulator/medium",
                         "radio_emulator/config"],
     "deploy/launcher": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "deploy/metrics", "deploy/experiment"],
+    "deploy/sweep": [STD, POSIX, JSON, "runtime/config", "runtime/process", "deploy/metrics",
+                     "deploy/launcher/children.hpp"],
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "deploy", "robot_agent/config",
                    "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium"],
 }

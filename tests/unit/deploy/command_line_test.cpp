@@ -11,7 +11,7 @@ using testing::internal::CaptureStdout;
 using testing::internal::GetCapturedStderr;
 using testing::internal::GetCapturedStdout;
 
-std::variant<CheckCommand, RunCommand, Exit> read(std::vector<const char*> words) {
+Command read(std::vector<const char*> words) {
   words.insert(words.begin(), "caravan");
   return read_command_line(static_cast<int>(words.size()), words.data());
 }
@@ -59,6 +59,37 @@ TEST(CommandLine, TakesEveryOptionOfARun) {
   EXPECT_TRUE(run.quiet);
 }
 
+TEST(CommandLine, TakesEveryOptionOfASweep) {
+  const auto command =
+      read({"sweep",   "a.toml", "--seeds",      "1-30", "--modes",        "none,full", "--jobs",   "3",
+            "--items", "5",      "--robots",     "4",    "--max-time",     "60",        "--pacing", "fast",
+            "--out",   "/tmp/x", "--task-index", "7",    "--retry-failed", "--quiet",   "--engine", "dds"});
+
+  const auto& sweep = std::get<SweepCommand>(command);
+  EXPECT_EQ(sweep.seeds, "1-30");
+  EXPECT_EQ(sweep.modes, "none,full");
+  EXPECT_EQ(sweep.engine, "dds");
+  EXPECT_EQ(sweep.jobs, 3U);
+  EXPECT_EQ(sweep.overrides.items, 5U);
+  EXPECT_EQ(sweep.overrides.robots, 4U);
+  EXPECT_EQ(sweep.overrides.max_time_s, 60.0);
+  EXPECT_EQ(sweep.overrides.pacing, "fast");
+  EXPECT_EQ(sweep.out, "/tmp/x");
+  EXPECT_EQ(sweep.task, 7U);
+  EXPECT_TRUE(sweep.retry_failed);
+  EXPECT_TRUE(sweep.quiet);
+}
+
+TEST(CommandLine, ASweepIsEmbeddedAndSharesTheProcessorsUnlessToldOtherwise) {
+  const auto command = read({"sweep", "a.toml", "--out", "/tmp/x"});
+
+  const auto& sweep = std::get<SweepCommand>(command);
+  EXPECT_EQ(sweep.engine, "embedded");
+  EXPECT_GE(sweep.jobs, 1U);
+  EXPECT_EQ(sweep.task, std::nullopt);
+  EXPECT_FALSE(sweep.summarise);
+}
+
 TEST(CommandLine, ChecksWithoutRunning) {
   const auto command = read({"check", "small.toml"});
   EXPECT_EQ(std::get<CheckCommand>(command).scenario, "small.toml");
@@ -72,6 +103,10 @@ TEST(CommandLine, AnswersMistakesWithOneLineThatNamesThem) {
   EXPECT_THAT(complaint({"run", "a.toml", "--seed", "-1"}), testing::HasSubstr("--seed"));
   EXPECT_THAT(complaint({"run", "a.toml", "--robots", "many"}), testing::HasSubstr("--robots"));
   EXPECT_THAT(complaint({"run", "a.toml", "--domain", "233"}), testing::HasSubstr("--domain"));
+  EXPECT_THAT(complaint({"sweep", "a.toml"}), testing::HasSubstr("--out"));
+  EXPECT_THAT(complaint({"sweep", "a.toml", "--out", "o", "--jobs", "0"}), testing::HasSubstr("--jobs"));
+  EXPECT_THAT(complaint({"sweep", "a.toml", "--out", "o", "--summarise", "--task-index", "1"}),
+              testing::HasSubstr("--summarise"));
   EXPECT_THAT(complaint({"run", "a.toml", "--colour", "red"}), testing::HasSubstr("--colour"));
 }
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/cli/plan_sweep.hpp"
+
+#include "deploy/cli/check_scenario.hpp"
+#include "deploy/cli/overrides.hpp"
+#include "deploy/sweep/seeds.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+runtime::TomlDocument effective(const std::string& text, const SweepCommand& command) {
+  return runtime::TomlDocument::parse(text, command.scenario.string() + " with the command line's changes");
+}
+
+}  // namespace
+
+SweepPlan plan_sweep(const SweepCommand& command) {
+  const auto original = runtime::TomlDocument::load(command.scenario);
+  (void)check_scenario(original);  // first, because only the original knows the lines
+  SweepPlan plan{.scenario = name_of(original),
+                 .scenario_text = effective_text(original, command.overrides),
+                 .engine = command.engine,
+                 .modes = read_modes(command.modes),
+                 .seeds = read_seeds(command.seeds),
+                 .runs = {}};
+  const auto base = effective(plan.scenario_text, command);
+  (void)check_scenario(base);
+  for (const std::string& mode : plan.modes) {
+    for (const std::uint64_t seed : plan.seeds) {
+      Overrides one;
+      one.mode = mode;
+      one.seed = seed;
+      plan.runs.push_back({mode, seed, effective_text(base, one)});
+    }
+  }
+  return plan;
+}
+
+}  // namespace caravan::deploy

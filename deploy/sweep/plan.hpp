@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace caravan::deploy {
+
+/// One run of a sweep.
+struct PlannedRun {
+  std::string mode;
+  std::uint64_t seed = 0;
+  std::string scenario_text;  ///< what its scenario.toml must say
+};
+
+/// The runs of a sweep, mode by mode and within a mode seed by seed; a run's place in it is its index.
+struct SweepPlan {
+  std::string scenario;       ///< its name
+  std::string scenario_text;  ///< effective: the file with the command line's changes, its own mode and seed
+  std::string engine;         ///< embedded, dds
+  std::vector<std::string> modes;
+  std::vector<std::uint64_t> seeds;  ///< ascending
+  std::vector<PlannedRun> runs;
+};
+
+/// The folder of a run below that of its sweep: <mode>/seed_<n>.
+[[nodiscard]] inline std::filesystem::path folder_of(const PlannedRun& run) {
+  return std::filesystem::path{run.mode} / ("seed_" + std::to_string(run.seed));
+}
+
+}  // namespace caravan::deploy

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace caravan::deploy {
+
+/// A number that each run comes to: a column of runs.csv, and a row of summary.csv.
+struct Quantity {
+  std::string name;
+  bool repeats = true;  ///< false: wall time, which the same run does not give again
+};
+
+/// In the order of the columns. docs/outputs.md says what they mean.
+[[nodiscard]] std::span<const Quantity> quantities();
+
+/// Their values in a run's metrics.json, in the same order; none where the run has no such number.
+///
+/// @throws nlohmann::json::exception when something is missing
+[[nodiscard]] std::vector<std::optional<double>> values_in(const nlohmann::json& metrics);
+
+}  // namespace caravan::deploy

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/sweep/sweep_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "deploy/sweep/text_file.hpp"
+#include "runtime/config/start_error.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using Json = nlohmann::json;
+
+/// Longer than the runs of a sweep that was killed need to end.
+constexpr auto kPatience = 4s;
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
+  throw runtime::StartError{folder.string() + ": " + why + "; choose another --out"};
+}
+
+/// Whether there is anything but our own files whose names begin with a dot.
+bool holds_something(const fs::path& folder) {
+  return std::ranges::any_of(fs::directory_iterator{folder}, [](const fs::directory_entry& entry) {
+    return !entry.path().filename().string().starts_with('.');
+  });
+}
+
+/// Several tasks may write the same text at the same time, so each does under a name of its own first.
+void write_scenario(const fs::path& folder, const std::string& text) {
+  std::array<char, 256> host{};
+  gethostname(host.data(), host.size() - 1);
+  const fs::path fresh = folder / (std::string{".scenario."} + host.data() + "." + std::to_string(getpid()));
+  std::ofstream out{fresh};
+  out << text;
+  out.close();
+  std::error_code error;
+  if (out) fs::rename(fresh, folder / "scenario.toml", error);
+  if (!out || error) throw runtime::StartError{folder.string() + ": cannot be written"};
+}
+
+void check_runs(const fs::path& folder, const std::string& written, const SweepPlan& plan) {
+  try {
+    const Json sweep = Json::parse(written);
+    for (const Json& run : sweep.at("runs")) {
+      const auto mode = run.at("mode").get<std::string>();
+      const auto seed = run.at("seed").get<std::uint64_t>();
+      const bool planned = std::ranges::any_of(
+          plan.runs, [&](const PlannedRun& one) { return one.mode == mode && one.seed == seed; });
+      if (!planned) {
+        refuse(folder, "holds a sweep with other --modes or --seeds: " + mode + " " + std::to_string(seed) +
+                           " is not among these runs");
+      }
+    }
+  } catch (const Json::exception&) {
+    refuse(folder, "its sweep.json cannot be read");
+  }
+}
+
+void check_and_begin(const fs::path& folder, const SweepPlan& plan) {
+  const auto scenario = text_in(folder / "scenario.toml");
+  if (!scenario) {
+    if (holds_something(folder)) refuse(folder, "is not empty and holds no sweep");
+    write_scenario(folder, plan.scenario_text);
+    return;
+  }
+  if (fs::exists(folder / "metrics.json")) refuse(folder, "holds a single run");
+  if (*scenario != plan.scenario_text) {
+    refuse(folder, "holds a sweep of another scenario or with other options");
+  }
+  if (const auto written = text_in(folder / "sweep.json")) check_runs(folder, *written, plan);
+}
+
+}  // namespace
+
+SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, Claim claim, runtime::Loop& loop)
+    : folder_{std::move(folder)} {
+  std::error_code error;
+  fs::create_directories(folder_, error);
+  if (error) throw runtime::StartError{folder_.string() + ": cannot be made: " + error.message()};
+  if (claim != Claim::kSummarise) {
+    locks_.emplace_back(folder_ / ".runs.lock", claim == Claim::kTask ? LOCK_SH : LOCK_EX, loop);
+  }
+  if (claim != Claim::kTask) locks_.emplace_back(folder_ / ".tables.lock", LOCK_EX, loop);
+  check_and_begin(folder_, plan);
+}
+
+SweepFolder::Lock::Lock(const fs::path& file, int kind, runtime::Loop& loop)
+    // Without O_CLOEXEC: our runs inherit the lock and hold it until the last of them has ended.
+    : file_{open(file.c_str(), O_RDWR | O_CREAT, 0644)} {
+  if (file_ < 0) throw runtime::StartError{file.string() + ": cannot be written: " + std::strerror(errno)};
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  // A file system without locks is taken as it is: there, nobody can tell.
+  while (flock(file_, kind | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    const auto now = std::chrono::steady_clock::now();
+    const bool stop = loop.wait(now + 50ms) == runtime::Loop::Woken::kStop;
+    if (!stop && now < deadline) continue;
+    close(file_);
+    throw runtime::StartError{file.parent_path().string() + ": another sweep is at work in it"};
+  }
+}
+
+SweepFolder::Lock::~Lock() {
+  if (file_ >= 0) close(file_);
+}
+
+}  // namespace caravan::deploy

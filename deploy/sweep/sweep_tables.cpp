@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/sweep/sweep_tables.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "deploy/metrics/csv_file.hpp"
+#include "deploy/metrics/run_directory.hpp"
+#include "deploy/sweep/five_numbers.hpp"
+#include "deploy/sweep/quantities.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The shortest text that reads back as the same number.
+std::string exact(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+std::string in_words(SweepState state) {
+  switch (state) {
+    case SweepState::kRunning:
+      return "running";
+    case SweepState::kUnfinished:
+      return "unfinished";
+    case SweepState::kComplete:
+      return "complete";
+  }
+  return "";
+}
+
+/// The values of quantity `column` in the runs of `mode` that are done.
+std::vector<double> sample(const SweepPlan& plan, std::span<const RunRow> rows, const std::string& mode,
+                           std::size_t column) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+    if (plan.runs[i].mode != mode || rows[i].state != RunState::kDone) continue;
+    if (const auto value = rows[i].values[column]) values.push_back(*value);
+  }
+  return values;
+}
+
+std::size_t column_of(const std::string& name) {
+  const auto all = quantities();
+  std::size_t column = 0;
+  while (all[column].name != name) ++column;
+  return column;
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
+}
+
+/// `median (minimum to maximum)` of a quantity.
+std::string spread(std::vector<double> values, double unit, int decimals) {
+  const auto five = five_numbers(std::move(values));
+  if (!five) return "-";
+  return fixed(five->median / unit, decimals) + " (" + fixed(five->minimum / unit, decimals) + " to " +
+         fixed(five->maximum / unit, decimals) + ")";
+}
+
+}  // namespace
+
+std::string sweep_json(const SweepPlan& plan, std::span<const RunRow> rows, SweepState state) {
+  Json json = {{"scenario", plan.scenario}, {"engine", plan.engine},    {"modes", plan.modes},
+               {"seeds", plan.seeds},       {"state", in_words(state)}, {"runs", Json::array()}};
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+    json["runs"].push_back({{"index", i},
+                            {"mode", plan.runs[i].mode},
+                            {"seed", plan.runs[i].seed},
+                            {"folder", folder_of(plan.runs[i]).string()},
+                            {"state", in_words(rows[i].state)},
+                            {"reason", rows[i].reason}});
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string runs_csv(const SweepPlan& plan, std::span<const RunRow> rows) {
+  std::vector<std::string> header = {"index", "mode", "seed", "state", "reason", "digest"};
+  for (const Quantity& quantity : quantities()) header.push_back(quantity.name);
+  std::string text = csv_row(header);
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+    std::vector<std::string> fields = {
+        std::to_string(i),       plan.runs[i].mode, std::to_string(plan.runs[i].seed),
+        in_words(rows[i].state), rows[i].reason,    rows[i].digest};
+    for (std::size_t column = 0; column < quantities().size(); ++column) {
+      const bool known = column < rows[i].values.size() && rows[i].values[column].has_value();
+      fields.push_back(known ? exact(*rows[i].values[column]) : "");
+    }
+    text += csv_row(fields);
+  }
+  return text;
+}
+
+std::string summary_csv(const SweepPlan& plan, std::span<const RunRow> rows) {
+  std::string text =
+      csv_row({"mode", "quantity", "n", "minimum", "lower_quartile", "median", "upper_quartile", "maximum"});
+  for (const std::string& mode : plan.modes) {
+    for (std::size_t column = 0; column < quantities().size(); ++column) {
+      const Quantity& quantity = quantities()[column];
+      if (!quantity.repeats) continue;
+      const auto five = five_numbers(sample(plan, rows, mode, column));
+      std::vector<std::string> fields = {mode, quantity.name, std::to_string(five ? five->n : 0)};
+      for (const auto number : {&FiveNumbers::minimum, &FiveNumbers::lower_quartile, &FiveNumbers::median,
+                                &FiveNumbers::upper_quartile, &FiveNumbers::maximum}) {
+        fields.push_back(five ? exact((*five).*number) : "");
+      }
+      text += csv_row(fields);
+    }
+  }
+  return text;
+}
+
+std::string sweep_table(const SweepPlan& plan, std::span<const RunRow> rows) {
+  std::string text = "mode     done  completed  failed  simulated min: median (range)  round trip, min" +
+                     std::string{"           routes\n"};
+  for (const std::string& mode : plan.modes) {
+    std::size_t done = 0;
+    std::size_t failed = 0;
+    for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+      if (plan.runs[i].mode != mode) continue;
+      done += rows[i].state == RunState::kDone ? 1U : 0U;
+      failed += rows[i].state == RunState::kFailed ? 1U : 0U;
+    }
+    double completed = 0.0;
+    for (const double one : sample(plan, rows, mode, column_of("completed"))) completed += one;
+    text += mode + std::string(mode.size() < 7 ? 7 - mode.size() : 0, ' ') + padded(std::to_string(done), 6) +
+            padded(fixed(completed, 0), 11) + padded(std::to_string(failed), 8) +
+            padded(spread(sample(plan, rows, mode, column_of("sim_time_s")), 60.0, 1), 31) +
+            padded(spread(sample(plan, rows, mode, column_of("round_trip_mean_s")), 60.0, 2), 26) +
+            padded(spread(sample(plan, rows, mode, column_of("routes")), 1.0, 0), 17) + "\n";
+  }
+  for (std::size_t i = 0; i < plan.runs.size(); ++i) {
+    if (rows[i].state != RunState::kFailed) continue;
+    text += "failed: mode " + plan.runs[i].mode + " seed " + std::to_string(plan.runs[i].seed) + ": " +
+            rows[i].reason + "\n";
+  }
+  return text;
+}
+
+void write_tables(const std::filesystem::path& folder, const SweepPlan& plan, std::span<const RunRow> rows,
+                  SweepState state) {
+  write_whole_file(folder / "runs.csv", runs_csv(plan, rows));
+  write_whole_file(folder / "summary.csv", summary_csv(plan, rows));
+  write_whole_file(folder / "sweep.json", sweep_json(plan, rows, state));
+}
+
+}  // namespace caravan::deploy
