@@ -39,6 +39,13 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
       ->check(CLI::Range(0U, 232U));
   run.add_option("--out", command.out, "Folder for the results; must be new or empty");
   run.add_flag("--quiet", command.quiet, "No progress, no result table");
+  run.add_flag("--report", command.report, "Draw the report of the run when it has ended");
+}
+
+void add_report_options(CLI::App& report, ReportCommand& command) {
+  report.add_option("folders", command.folders, "Folders of runs, or with runs in them, such as of sweeps")
+      ->required();
+  report.add_option("--out", command.out, "Where to write; without it report/ in the first folder");
 }
 
 void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
@@ -91,6 +98,9 @@ Command read_command_line(int argc, const char* const* argv) {
   CheckCommand check_command;
   CLI::App* check = app.add_subcommand("check", "Check a scenario file and run nothing");
   check->add_option("scenario", check_command.scenario, "Scenario file (TOML)")->required();
+  ReportCommand report_command;
+  CLI::App* report = app.add_subcommand("report", "Draw the figures of recorded runs: one page, SVG and PNG");
+  add_report_options(*report, report_command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -99,6 +109,7 @@ Command read_command_line(int argc, const char* const* argv) {
   run_command.embedded = engine == "embedded";
   if (check->parsed()) return check_command;
   if (sweep->parsed()) return sweep_command;
+  if (report->parsed()) return report_command;
   return run_command;
 }
 

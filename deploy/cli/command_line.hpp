@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "deploy/cli/overrides.hpp"
 
@@ -22,6 +23,12 @@ struct RunCommand {
   std::optional<std::uint32_t> domain;
   std::optional<std::filesystem::path> out;
   bool quiet = false;
+  bool report = false;  ///< draw one at the end
+};
+
+struct ReportCommand {
+  std::vector<std::filesystem::path> folders;
+  std::optional<std::filesystem::path> out;
 };
 
 struct SweepCommand {
@@ -44,7 +51,7 @@ struct Exit {
   int code = 0;
 };
 
-using Command = std::variant<CheckCommand, RunCommand, SweepCommand, Exit>;
+using Command = std::variant<CheckCommand, RunCommand, SweepCommand, ReportCommand, Exit>;
 
 /// What the command line of `caravan` asks for. Errors are one line on standard error and exit code 2.
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);

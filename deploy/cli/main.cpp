@@ -8,6 +8,7 @@
 #include "deploy/embedded/run_embedded.hpp"
 #include "deploy/launcher/run_dds.hpp"
 #include "deploy/metrics/run_directory.hpp"
+#include "deploy/report/write_report.hpp"
 #include "deploy/sweep/run_sweep.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
@@ -40,7 +41,9 @@ int run(const deploy::RunCommand& command) {
                                    .domain = command.domain,
                                    .quiet = command.quiet,
                                    .loop = loop};
-  return command.embedded ? deploy::run_embedded(request) : deploy::run_dds(request);
+  const int code = command.embedded ? deploy::run_embedded(request) : deploy::run_dds(request);
+  if (command.report && code != runtime::kInterrupted) (void)deploy::write_report({folder}, std::nullopt);
+  return code;
 }
 
 int sweep(const deploy::SweepCommand& command) {
@@ -64,6 +67,7 @@ int obey(const deploy::Exit& exit) { return exit.code; }
 int obey(const deploy::CheckCommand& command) { return check(command); }
 int obey(const deploy::RunCommand& command) { return run(command); }
 int obey(const deploy::SweepCommand& command) { return sweep(command); }
+int obey(const deploy::ReportCommand& command) { return deploy::write_report(command.folders, command.out); }
 
 }  // namespace
 

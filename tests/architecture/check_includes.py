@@ -39,6 +39,7 @@ ALLOWED = {
     "deploy/launcher": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "deploy/metrics", "deploy/experiment"],
     "deploy/sweep": [STD, POSIX, JSON, "runtime/config", "runtime/process", "deploy/metrics",
                      "deploy/launcher/children.hpp"],
+    "deploy/report": [STD, POSIX, "runtime/config", "runtime/process"],
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "deploy", "robot_agent/config",
                    "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium"],
 }

@@ -34,17 +34,27 @@ TEST(CommandLine, ARunWithoutOptionsChangesNothingAndUsesDds) {
   EXPECT_EQ(run.scenario, "small.toml");
   EXPECT_FALSE(run.embedded);
   EXPECT_FALSE(run.quiet);
+  EXPECT_FALSE(run.report);
   EXPECT_EQ(run.overrides.mode, std::nullopt);
   EXPECT_EQ(run.overrides.seed, std::nullopt);
   EXPECT_EQ(run.domain, std::nullopt);
   EXPECT_EQ(run.out, std::nullopt);
 }
 
+TEST(CommandLine, AReportTakesAnyNumberOfFoldersAndAtLeastOne) {
+  const auto command = read({"report", "runs/a", "runs/b", "--out", "/tmp/x"});
+
+  const auto& report = std::get<ReportCommand>(command);
+  EXPECT_THAT(report.folders, testing::ElementsAre("runs/a", "runs/b"));
+  EXPECT_EQ(report.out, "/tmp/x");
+  EXPECT_THAT(complaint({"report"}), testing::HasSubstr("folders"));
+}
+
 TEST(CommandLine, TakesEveryOptionOfARun) {
   const auto command =
-      read({"run",      "paper.toml", "--engine", "embedded", "--mode", "partial",    "--seed",
-            "9",        "--robots",   "5",        "--items",  "0",      "--max-time", "90.5",
-            "--pacing", "realtime",   "--domain", "12",       "--out",  "/tmp/x",     "--quiet"});
+      read({"run",      "paper.toml", "--engine", "embedded", "--mode",     "partial", "--seed",   "9",
+            "--robots", "5",          "--items",  "0",        "--max-time", "90.5",    "--pacing", "realtime",
+            "--domain", "12",         "--out",    "/tmp/x",   "--quiet",    "--report"});
 
   const auto& run = std::get<RunCommand>(command);
   EXPECT_TRUE(run.embedded);
@@ -57,6 +67,7 @@ TEST(CommandLine, TakesEveryOptionOfARun) {
   EXPECT_EQ(run.domain, 12U);
   EXPECT_EQ(run.out, "/tmp/x");
   EXPECT_TRUE(run.quiet);
+  EXPECT_TRUE(run.report);
 }
 
 TEST(CommandLine, TakesEveryOptionOfASweep) {

@@ -1,0 +1,97 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""Draws the report of recorded runs: report.html, one page that needs nothing else, and its figures as SVG and PNG."""
+
+import argparse
+import concurrent.futures
+import os
+import pathlib
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays as it is
+
+try:
+    import style
+except ImportError as missing:
+    print(f"caravan report: needs python3-matplotlib ({missing})", file=sys.stderr)
+    sys.exit(2)
+
+import matplotlib.pyplot as plt  # noqa: E402  (after the check above)
+
+import figures_map  # noqa: E402
+import figures_robots  # noqa: E402
+import figures_time  # noqa: E402
+from find_runs import read_all  # noqa: E402
+from page import page  # noqa: E402
+from picture import ByMode, Picture  # noqa: E402
+from quantities import by_mode  # noqa: E402
+
+# In the order of the paper's figures 8 to 13, then those that it has not.
+ORDER = ("final_paths", "final_paths_all_runs", "tracks", "items_per_robot", "robots_with_path", "items_over_time", "traffic_map",
+         "exchanges_over_time", "path_length_over_time", "round_trips", "time_budget")
+PICTURES = {picture.name: picture
+            for picture in (*figures_map.PICTURES, *figures_time.PICTURES, *figures_robots.PICTURES)}
+
+
+def draw(picture: Picture, runs: ByMode, folder: pathlib.Path) -> pathlib.Path:
+    """@return the SVG file; the PNG lies beside it"""
+    style.set_up()
+    fig = picture.draw(runs)
+    file = folder / f"{picture.name}.svg"
+    fig.savefig(file, metadata={"Date": None})
+    fig.savefig(file.with_suffix(".png"), dpi=style.PNG_DPI)
+    plt.close(fig)
+    return file
+
+
+def title_of(runs: ByMode) -> str:
+    names = sorted({run.metrics["scenario"] for those in runs.values() for run in those})
+    return "Caravan: " + ", ".join(names)
+
+
+def write_report(given: list[pathlib.Path], out: pathlib.Path) -> int:
+    """@return the exit code: 0 written, 1 no run could be read"""
+    read, skipped = read_all(given)
+    for one in skipped:
+        print(f"skipped     {one.folder}: {one.reason}", file=sys.stderr)
+    if not read:
+        print("caravan report: no run to report on", file=sys.stderr)
+        return 1
+    runs = by_mode(read)
+    figures = out / "figures"
+    figures.mkdir(parents=True, exist_ok=True)
+    chosen = [PICTURES[name] for name in ORDER if PICTURES[name].can_be_drawn(runs)]
+    # Forked, so that the workers have the runs already; a picture is named because its functions cannot be sent.
+    global shared_runs, shared_folder
+    shared_runs, shared_folder = runs, figures
+    with concurrent.futures.ProcessPoolExecutor(max_workers=os.cpu_count()) as pool:
+        files = list(pool.map(draw_by_name, [picture.name for picture in chosen]))
+    text = page(title_of(runs), runs, skipped, list(zip(chosen, files)))
+    (out / "report.html").write_text(text, encoding="utf-8")
+    print(f"report      {(out / 'report.html').resolve()}")
+    return 0
+
+
+shared_runs: ByMode = {}
+shared_folder = pathlib.Path()
+
+
+def draw_by_name(name: str) -> pathlib.Path:
+    return draw(PICTURES[name], shared_runs, shared_folder)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="caravan report", description=__doc__)
+    parser.add_argument("folders", nargs="+", type=pathlib.Path, help="folders of runs, or with runs in them")
+    parser.add_argument("--out", type=pathlib.Path, help="where to write; without it report/ in the first folder")
+    arguments = parser.parse_args()
+    out = arguments.out or arguments.folders[0] / "report"
+    try:
+        return write_report(arguments.folders, out)
+    except OSError as error:
+        print(f"caravan report: {error}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/report/write_report.hpp"
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string>
+
+#include "runtime/config/start_error.hpp"
+#include "runtime/process/run_process.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Debian's own, for which its matplotlib is installed.
+constexpr const char* kPython = "/usr/bin/python3";
+
+/// From build/<preset>/bin in the tree, or from where the tree was when this was built.
+fs::path drawing_program() {
+  const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
+  for (const fs::path& tree : {here / "../../..", fs::path{CARAVAN_SOURCE_TREE}}) {
+    const fs::path program = tree / "deploy/report/report.py";
+    if (fs::is_regular_file(program)) return program.lexically_normal();
+  }
+  throw runtime::StartError{"caravan report: deploy/report/report.py is not where it was built"};
+}
+
+/// Starts it with no signal blocked, so that Ctrl-C ends it.
+pid_t start(std::vector<std::string> words) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawnattr_t attributes{};
+  posix_spawnattr_init(&attributes);
+  sigset_t none{};
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  pid_t pid = -1;
+  const int error = posix_spawn(&pid, kPython, nullptr, &attributes, arguments.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  if (error != 0) {
+    throw runtime::StartError{std::string{"caravan report: "} + kPython + ": " + std::strerror(error)};
+  }
+  return pid;
+}
+
+}  // namespace
+
+int write_report(const std::vector<fs::path>& folders, const std::optional<fs::path>& out) {
+  std::vector<std::string> words{kPython, drawing_program().string()};
+  if (out) words.insert(words.end(), {"--out", out->string()});
+  words.emplace_back("--");
+  for (const fs::path& folder : folders) words.push_back(folder.string());
+  const pid_t pid = start(std::move(words));
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0) {
+    if (errno != EINTR) return runtime::kFailed;
+  }
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  return WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM ? runtime::kInterrupted : runtime::kFailed;
+}
+
+}  // namespace caravan::deploy
