@@ -12,11 +12,12 @@ namespace caravan::idl {
 
 enum class Party : std::uint8_t { kWorld, kRadio, kAgent, kObserver };
 
-/// How a topic's samples travel. All but kLatest are RELIABLE and TRANSIENT_LOCAL.
+/// How a topic's samples travel. All but kLatest are RELIABLE, all but kLatest and kRequest TRANSIENT_LOCAL.
 enum class Delivery : std::uint8_t {
   kStep,      ///< in the step's path: shallow history
   kObserved,  ///< must survive a late observer: history deeper than the world may run ahead of it
   kHealth,    ///< the newest few count
+  kRequest,   ///< for whoever is there now: nobody who starts later obeys it
   kLatest     ///< BEST_EFFORT, VOLATILE, the newest only
 };
 
@@ -86,9 +87,20 @@ inline constexpr Topic kRunCredit{"rt/run/credit",
                                   Delivery::kHealth,
                                   {Party::kObserver, Party::kObserver},
                                   {Party::kWorld, Party::kWorld}};
+inline constexpr Topic kControlRequest{"rt/control/request",
+                                       "caravan_interfaces::msg::dds_::ControlRequest_",
+                                       Delivery::kRequest,
+                                       {Party::kObserver, Party::kObserver},
+                                       {Party::kWorld, Party::kRadio}};
+inline constexpr Topic kControlReply{"rt/control/reply",
+                                     "caravan_interfaces::msg::dds_::ControlReply_",
+                                     Delivery::kObserved,
+                                     {Party::kWorld, Party::kRadio},
+                                     {Party::kObserver, Party::kObserver}};
 
-inline constexpr std::array kTopics{kSensors,   kCommand, kRadioTransmit, kRadioReceive, kTelemetry, kTruth,
-                                    kRadioStep, kClock,   kWorldStatus,   kRadioStatus,  kRunCredit};
+inline constexpr std::array kTopics{kSensors,   kCommand,        kRadioTransmit, kRadioReceive, kTelemetry,
+                                    kTruth,     kRadioStep,      kClock,         kWorldStatus,  kRadioStatus,
+                                    kRunCredit, kControlRequest, kControlReply};
 
 /// The topic's name for one robot.
 [[nodiscard]] inline std::string name_for(const Topic& topic, std::uint32_t robot) {

@@ -10,6 +10,7 @@
 #include "world_server/referee/items.hpp"
 #include "world_server/sensors/devices.hpp"
 #include "world_server/sensors/sonar.hpp"
+#include "world_server/starts/room.hpp"
 #include "world_server/starts/starts.hpp"
 
 namespace caravan::world {
@@ -27,8 +28,9 @@ ItemRules item_rules(const WorldConfig& config) {
 }  // namespace
 
 struct World::Impl {
-  explicit Impl(const WorldConfig& config)
-      : count{config.robots.count},
+  explicit Impl(const WorldConfig& given)
+      : config{given},
+        count{config.robots.count},
         period{seconds(config.step_s)},
         max_time{seconds(config.experiment.max_time_s)},
         dynamics{config, choose_starts(config)},
@@ -67,6 +69,7 @@ struct World::Impl {
 
   [[nodiscard]] Time now() const { return static_cast<Time::rep>(step) * period; }
 
+  WorldConfig config;
   std::uint32_t count;
   Time period;
   Time max_time;
@@ -114,6 +117,17 @@ void World::advance(std::span<const std::optional<Command>> commands) {
   impl_->link_poses();
   impl_->sonars.place(impl_->dynamics.poses());
   impl_->referee();
+}
+
+std::string World::place(std::uint32_t robot, const Pose& pose) {
+  CARAVAN_ASSERT(robot >= 1 && robot <= impl_->count);
+  std::string obstacle = obstacle_at(impl_->config, impl_->dynamics.poses(), robot, pose);
+  if (!obstacle.empty()) return obstacle;
+  impl_->dynamics.place(robot - 1, pose);
+  impl_->sonars.place(impl_->dynamics.poses());
+  impl_->chain.word(robot);
+  impl_->link_poses();
+  return "";
 }
 
 std::uint64_t World::step() const { return impl_->step; }

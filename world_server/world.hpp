@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "world_server/config/world_config.hpp"
@@ -31,6 +32,10 @@ class World {
   /// Grippers act at the present poses, then physics runs for one step.
   /// @param commands [0] is robot 1; none: wheels stopped, gripper as it was
   void advance(std::span<const std::optional<Command>> commands);
+
+  /// Puts a robot somewhere else, at rest, with what it holds; it senses the new place at once.
+  /// @return why it cannot be there, empty when it is done
+  [[nodiscard]] std::string place(std::uint32_t robot, const Pose& pose);
 
   [[nodiscard]] std::uint64_t step() const;                        ///< steps taken so far
   [[nodiscard]] Time now() const;                                  ///< step() * period

@@ -7,6 +7,7 @@
 #include <limits>
 #include <thread>
 
+#include "deploy/control/run_ctl.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/process/version.hpp"
 
@@ -101,6 +102,13 @@ Command read_command_line(int argc, const char* const* argv) {
   ReportCommand report_command;
   CLI::App* report = app.add_subcommand("report", "Draw the figures of recorded runs: one page, SVG and PNG");
   add_report_options(*report, report_command);
+  CtlCommand ctl_command;
+  CLI::App* ctl = app.add_subcommand("ctl", "Pause, step, steer or disturb a run that is under way");
+  ctl->add_option("--domain", ctl_command.domain, "DDS domain of the run")
+      ->check(CLI::Range(0U, 232U))
+      ->required();
+  ctl->add_option("words", ctl_command.words, "What to ask")->required();
+  ctl->footer(ctl_help());
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -110,6 +118,7 @@ Command read_command_line(int argc, const char* const* argv) {
   if (check->parsed()) return check_command;
   if (sweep->parsed()) return sweep_command;
   if (report->parsed()) return report_command;
+  if (ctl->parsed()) return ctl_command;
   return run_command;
 }
 

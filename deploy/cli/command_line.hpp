@@ -46,12 +46,17 @@ struct SweepCommand {
   bool quiet = false;
 };
 
+struct CtlCommand {
+  std::uint32_t domain = 0;
+  std::vector<std::string> words;  ///< as run_ctl() takes them
+};
+
 /// Nothing is left to do: help or version was shown, or the command line was wrong and it was said why.
 struct Exit {
   int code = 0;
 };
 
-using Command = std::variant<CheckCommand, RunCommand, SweepCommand, ReportCommand, Exit>;
+using Command = std::variant<CheckCommand, RunCommand, SweepCommand, ReportCommand, CtlCommand, Exit>;
 
 /// What the command line of `caravan` asks for. Errors are one line on standard error and exit code 2.
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);

@@ -5,6 +5,7 @@
 #include "deploy/cli/check_scenario.hpp"
 #include "deploy/cli/command_line.hpp"
 #include "deploy/cli/plan_sweep.hpp"
+#include "deploy/control/run_ctl.hpp"
 #include "deploy/embedded/run_embedded.hpp"
 #include "deploy/launcher/run_dds.hpp"
 #include "deploy/metrics/run_directory.hpp"
@@ -68,6 +69,7 @@ int obey(const deploy::CheckCommand& command) { return check(command); }
 int obey(const deploy::RunCommand& command) { return run(command); }
 int obey(const deploy::SweepCommand& command) { return sweep(command); }
 int obey(const deploy::ReportCommand& command) { return deploy::write_report(command.folders, command.out); }
+int obey(const deploy::CtlCommand& command) { return deploy::run_ctl(command.domain, command.words); }
 
 }  // namespace
 

@@ -45,8 +45,9 @@ std::vector<Radio> radios_by_robot(std::span<const Station> stations,
 /// The air while one step's frames are in it.
 class Air {
  public:
-  Air(const MediumConfig& config, std::uint64_t step, std::vector<Radio> radios, Drops& drops)
-      : config_{config}, step_{step}, radios_{std::move(radios)}, drops_{drops} {
+  Air(const MediumConfig& config, std::uint64_t step, std::vector<Radio> radios,
+      std::span<const LinkRule> rules, Drops& drops)
+      : config_{config}, step_{step}, radios_{std::move(radios)}, rules_{rules}, drops_{drops} {
     receptions_.reserve(radios_.size());
     for (const Radio& radio : radios_) receptions_.push_back({radio.station->robot, {}});
     for (std::size_t index = 0; index < radios_.size(); ++index) {
@@ -88,7 +89,7 @@ class Air {
   void offer(const Frame& frame, std::size_t index, std::size_t sender, std::size_t receiver) {
     if (radios_[receiver].transmission->tuned != frame.channel) return;
     Reception& reception = receptions_[receiver];
-    if (is_lost(radios_[sender].station->robot, reception.robot, index)) {
+    if (is_lost(*radios_[sender].station, *radios_[receiver].station, index)) {
       ++drops_.lost;
     } else if (reception.frames.size() >= config_.queue_length) {
       ++drops_.queue_full;
@@ -97,10 +98,11 @@ class Air {
     }
   }
 
-  [[nodiscard]] bool is_lost(std::uint32_t sender, std::uint32_t receiver, std::size_t index) const {
-    if (config_.loss_probability <= 0.0) return false;
-    const std::uint64_t word = pure::mix_all(config_.seed, step_, sender, receiver, index);
-    return pure::unit_interval(word) < config_.loss_probability;
+  [[nodiscard]] bool is_lost(const Station& sender, const Station& receiver, std::size_t index) const {
+    const double loss = loss_on(rules_, sender, receiver).value_or(config_.loss_probability);
+    if (loss <= 0.0) return false;
+    const std::uint64_t word = pure::mix_all(config_.seed, step_, sender.robot, receiver.robot, index);
+    return pure::unit_interval(word) < loss;
   }
 
   /// Walks from the sender's rank to the east and to the west until the distance in x alone is beyond range.
@@ -128,7 +130,8 @@ class Air {
 
   const MediumConfig& config_;
   std::uint64_t step_;
-  std::vector<Radio> radios_;              // by robot
+  std::vector<Radio> radios_;  // by robot
+  std::span<const LinkRule> rules_;
   std::vector<std::size_t> west_to_east_;  // indices of radios_ by x; those without a place are missing
   std::vector<std::size_t> rank_;          // of each radio in west_to_east_; radios_.size(): missing
   std::vector<std::size_t> neighbours_;    // of the present sender
@@ -140,8 +143,8 @@ class Air {
 
 std::vector<Reception> deliver(const MediumConfig& config, std::uint64_t step,
                                std::span<const Station> stations, std::span<const Transmission> transmissions,
-                               Drops& drops) {
-  return Air{config, step, radios_by_robot(stations, transmissions), drops}.carry();
+                               Drops& drops, std::span<const LinkRule> rules) {
+  return Air{config, step, radios_by_robot(stations, transmissions), rules, drops}.carry();
 }
 
 }  // namespace caravan::radio

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "radio_emulator/medium/link_rules.hpp"
+
 namespace caravan::radio {
 
 /// The medium's rules. TOML table `[radio]`.
@@ -48,7 +50,7 @@ struct Reception {
 struct Drops {
   std::uint64_t over_mtu = 0;
   std::uint64_t bad_channel = 0;
-  std::uint64_t lost = 0;  ///< by loss_probability
+  std::uint64_t lost = 0;  ///< by loss_probability or a rule
   std::uint64_t queue_full = 0;
 };
 
@@ -67,9 +69,11 @@ struct Drops {
 /// @param transmissions  one for each robot, any order; of several the first counts; a station without one
 ///                       hears and sends nothing
 /// @param drops          counted up
+/// @param rules          take the place of loss_probability on the links that they match
 /// @return only robots that receive something, sorted by id
 [[nodiscard]] std::vector<Reception> deliver(const MediumConfig& config, std::uint64_t step,
                                              std::span<const Station> stations,
-                                             std::span<const Transmission> transmissions, Drops& drops);
+                                             std::span<const Transmission> transmissions, Drops& drops,
+                                             std::span<const LinkRule> rules = {});
 
 }  // namespace caravan::radio

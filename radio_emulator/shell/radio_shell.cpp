@@ -17,13 +17,18 @@ using namespace std::chrono_literals;
 
 RadioShell::RadioShell(const MediumConfig& config, std::uint32_t robots, const runtime::BusConfig& bus,
                        runtime::Loop& loop)
-    : config_{config}, loop_{loop}, robots_(robots), bus_{bus, [this](const Discovery& news) {
-                                                            if (news.kind != Discovery::Kind::kGone) return;
-                                                            const std::lock_guard lock{mailbox_mutex_};
-                                                            lost_.push_back(news.participant);
-                                                          }} {
+    : config_{config},
+      loop_{loop},
+      robots_(robots),
+      control_{robots},
+      bus_{bus, [this](const Discovery& news) {
+             if (news.kind != Discovery::Kind::kGone) return;
+             const std::lock_guard lock{mailbox_mutex_};
+             lost_.push_back(news.participant);
+           }} {
   radio_steps_ = bus_.writer<msg::RadioStepPubSubType>(idl::kRadioStep);
   statuses_ = bus_.writer<msg::RadioStatusPubSubType>(idl::kRadioStatus);
+  replies_ = bus_.writer<msg::ControlReplyPubSubType>(idl::kControlReply);
   for (std::uint32_t robot = 1; robot <= robots; ++robot) {
     receives_.push_back(bus_.writer<msg::RadioReceivePubSubType>(idl::kRadioReceive, robot));
   }
@@ -38,6 +43,9 @@ RadioShell::RadioShell(const MediumConfig& config, std::uint32_t robots, const r
   bus_.reader<msg::WorldTruthPubSubType>(
       idl::kTruth, 0,
       [this](const msg::WorldTruth& sample, const ParticipantId& /*sender*/) { on_truth(sample); });
+  bus_.reader<msg::ControlRequestPubSubType>(
+      idl::kControlRequest, 0,
+      [this](const msg::ControlRequest& request, const ParticipantId& /*sender*/) { on_control(request); });
 }
 
 RadioShell::~RadioShell() { bus_.close(); }
@@ -48,6 +56,8 @@ bool RadioShell::follow_session(std::uint64_t session) {
   session_ = session;
   open_.reset();
   newest_ = Time{-1};
+  next_step_ = 0;
+  control_ = RadioControl{static_cast<std::uint32_t>(robots_.size())};
   chain_ = {};
   for (Robot& robot : robots_) {
     robot.sent_at.reset();
@@ -66,6 +76,12 @@ void RadioShell::on_truth(const msg::WorldTruth& sample) {
   }
   if (stamp > newest_ && open_) evaluate(false);
   const bool evaluated_already = stamp == newest_ && !open_;
+  if (stamp > newest_) {
+    const Time period = idl::to_time(sample.next_stamp()) - stamp;
+    const auto step = static_cast<std::uint64_t>(period > Time{0} ? stamp / period : 0);
+    reply(sample.last() ? control_.end() : control_.reach(step));
+    next_step_ = step + 1;
+  }
   newest_ = stamp;
   if (sample.last()) publish_status();  // an observer writes the last counts down
   if (evaluated_already || sample.last()) return;
@@ -136,8 +152,8 @@ void RadioShell::evaluate(bool in_time) {
     pending = {static_cast<std::uint32_t>(i + 1), tuned, {}};
   }
   const Time stamp = idl::to_time(open_->stamp());
-  const std::vector<Reception> receptions =
-      deliver(config_, static_cast<std::uint64_t>(stamp.count()), stations, transmissions, drops_);
+  const std::vector<Reception> receptions = deliver(config_, static_cast<std::uint64_t>(stamp.count()),
+                                                    stations, transmissions, drops_, control_.rules());
   chain_step(chain_, stamp.count(), transmissions, receptions);
   compute_ += std::chrono::steady_clock::now() - began;
   ++steps_;
@@ -147,6 +163,7 @@ void RadioShell::evaluate(bool in_time) {
     step.session(session_);
     for (const Reception& reception : receptions) step.receivers().push_back(reception.robot);
     step.chain(chain_.value());
+    step.controlled(control_.was_used());
     refused_writes_ += radio_steps_.write(step) ? 0U : 1U;
   }
   publish_receptions(receptions, open_->next_stamp());

@@ -7,7 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "controlPubSubTypes.h"
 #include "radio_emulator/medium/medium.hpp"
+#include "radio_emulator/medium/radio_control.hpp"
 #include "robotPubSubTypes.h"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
@@ -44,6 +46,9 @@ class RadioShell {
   void on_truth(const caravan_interfaces::msg::WorldTruth& sample);
   void on_transmit(std::uint32_t robot, const caravan_interfaces::msg::RadioTransmit& sample,
                    const runtime::ParticipantId& sender);
+  void on_control(const caravan_interfaces::msg::ControlRequest& request);
+  void reply(const pure::Outcome& outcome);
+  void reply(const std::vector<pure::Outcome>& outcomes);
   /// False: a sample of a session that is over. A newer session starts everything anew.
   [[nodiscard]] bool follow_session(std::uint64_t session);
   [[nodiscard]] std::vector<std::uint32_t> awaited() const;
@@ -62,6 +67,8 @@ class RadioShell {
   std::vector<Robot> robots_;                                // [0] is robot 1
   std::optional<caravan_interfaces::msg::WorldTruth> open_;  // the step that is not evaluated yet
   Time newest_{-1};                                          // stamp of the newest truth
+  std::uint64_t next_step_ = 0;                              // after the newest truth's
+  RadioControl control_;
   pure::HashChain chain_;
   Drops drops_;
   std::uint64_t steps_ = 0;
@@ -78,6 +85,7 @@ class RadioShell {
   runtime::Writer<caravan_interfaces::msg::RadioStepPubSubType> radio_steps_;
   std::vector<runtime::Writer<caravan_interfaces::msg::RadioReceivePubSubType>> receives_;
   runtime::Writer<caravan_interfaces::msg::RadioStatusPubSubType> statuses_;
+  runtime::Writer<caravan_interfaces::msg::ControlReplyPubSubType> replies_;
 };
 
 }  // namespace caravan::radio

@@ -18,6 +18,8 @@ constexpr std::int32_t depth_of(idl::Delivery delivery) {
     case idl::Delivery::kStep:
     case idl::Delivery::kHealth:
       return 4;
+    case idl::Delivery::kRequest:
+      return 64;
     case idl::Delivery::kObserved:
       return 2 * static_cast<std::int32_t>(idl::kMaxStepsAhead);
     case idl::Delivery::kLatest:
@@ -31,7 +33,8 @@ template <typename Qos>
 void set_common(Qos& qos, idl::Delivery delivery) {
   const bool latest = delivery == idl::Delivery::kLatest;
   qos.reliability().kind = latest ? dds::BEST_EFFORT_RELIABILITY_QOS : dds::RELIABLE_RELIABILITY_QOS;
-  qos.durability().kind = latest ? dds::VOLATILE_DURABILITY_QOS : dds::TRANSIENT_LOCAL_DURABILITY_QOS;
+  const bool fleeting = latest || delivery == idl::Delivery::kRequest;
+  qos.durability().kind = fleeting ? dds::VOLATILE_DURABILITY_QOS : dds::TRANSIENT_LOCAL_DURABILITY_QOS;
   qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
   qos.history().depth = depth_of(delivery);
   qos.resource_limits().max_samples = depth_of(delivery);

@@ -40,13 +40,14 @@ ALLOWED = {
     "deploy/sweep": [STD, POSIX, JSON, "runtime/config", "runtime/process", "deploy/metrics",
                      "deploy/launcher/children.hpp"],
     "deploy/report": [STD, POSIX, "runtime/config", "runtime/process"],
+    "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "deploy", "robot_agent/config",
                    "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium"],
 }
 SHELLS = ("robot_agent/shell", "world_server/shell", "radio_emulator/shell")
 
 # A core is a function of values: nothing here may come from outside its arguments.
-CORES = ("robot_agent/core", "radio_emulator/medium", "world_server/physics", "world_server/barrier",
+CORES = ("robot_agent/core", "radio_emulator/medium", "world_server/physics", "world_server/barrier", "world_server/control",
          "world_server/referee", "world_server/sensors", "runtime/pure")
 NOT_IN_A_CORE = {"thread", "mutex", "condition_variable", "future", "atomic", "fstream", "iostream", "filesystem",
                  "random", "ctime", "unordered_map", "unordered_set"}
@@ -54,7 +55,7 @@ NO_CLOCK = re.compile(r"_clock::now\b")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 GENERATED_FOR_ROBOTS = re.compile(r"(robot|stamp|clock)(PubSubTypes)?\.h$")
-GENERATED_FOR_TRUTH = re.compile(r"world(PubSubTypes)?\.h$")
+GENERATED_FOR_TRUTH = re.compile(r"(world|control)(PubSubTypes)?\.h$")
 POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|poll|sched|pthread|signal|dirent|spawn|netdb|arpa/.*|netinet/.*)\.h$")
 OUTSIDE = {"Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr": DDS, "toml++": TOML,
            "nlohmann": JSON, "spdlog": LOG, "CLI": CLI}

@@ -24,6 +24,8 @@ std::string in_words(idl::Delivery delivery) {
       return "observed";
     case idl::Delivery::kHealth:
       return "health";
+    case idl::Delivery::kRequest:
+      return "request";
     case idl::Delivery::kLatest:
       return "latest";
   }

@@ -197,6 +197,11 @@ void Dynamics::free_wheels(std::size_t robot, bool free) {
 
 void Dynamics::push(std::size_t robot, double force_n) { impl_->push_n[robot] = force_n; }
 
+void Dynamics::place(std::size_t robot, const Pose& pose) {
+  stand(impl_->robots[robot], impl_->plan, pose);
+  impl_->poses[robot] = pose_of(impl_->robots[robot], impl_->plan);
+}
+
 void Dynamics::advance() { impl_->advance(); }
 
 std::span<const Pose> Dynamics::poses() const { return impl_->poses; }

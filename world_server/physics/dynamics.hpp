@@ -42,6 +42,10 @@ class Dynamics {
   /// A force at the centre of mass along the heading, for the whole of the next step.
   void push(std::size_t robot, double force_n);
 
+  /// Puts a robot somewhere, at rest. What its wheels have turned stays as it was.
+  /// @pre nothing else is there
+  void place(std::size_t robot, const Pose& pose);
+
   /// One step of config.step_s.
   void advance();
 

@@ -90,34 +90,39 @@ BodyPlan::BodyPlan(const runtime::RobotsTable& robots)
   motor_torque = 0.5 * kMotorAcceleration * robots.mass_kg * wheel_radius;
 }
 
+void stand(const RobotBody& body, const BodyPlan& plan, const Pose& pose) {
+  dMatrix3 turned;
+  dRFromAxisAndAngle(turned, 0, 0, 1, pose.yaw_rad);
+  const double cosine = std::cos(pose.yaw_rad);
+  const double sine = std::sin(pose.yaw_rad);
+  for (const dBodyID part : {body.chassis, body.left, body.right}) {
+    dBodySetRotation(part, turned);
+    dBodySetLinearVel(part, 0.0, 0.0, 0.0);
+    dBodySetAngularVel(part, 0.0, 0.0, 0.0);
+  }
+  dBodySetPosition(body.chassis, pose.x_m + cosine * plan.mass_centre[0],
+                   pose.y_m + sine * plan.mass_centre[0], plan.mass_centre[2]);
+  dBodySetPosition(body.left, pose.x_m - sine * plan.half_track, pose.y_m + cosine * plan.half_track,
+                   plan.wheel_radius);
+  dBodySetPosition(body.right, pose.x_m + sine * plan.half_track, pose.y_m - cosine * plan.half_track,
+                   plan.wheel_radius);
+}
+
 RobotBody build_robot(dWorldID world, const BodyPlan& plan, const Pose& start) {
   RobotBody body;
   dMass mass;
   dMassSetBoxTotal(&mass, plan.chassis_mass, plan.box_size[0], plan.box_size[1], plan.box_size[2]);
-  dMatrix3 turned;
-  dRFromAxisAndAngle(turned, 0, 0, 1, start.yaw_rad);
-  const double cosine = std::cos(start.yaw_rad);
-  const double sine = std::sin(start.yaw_rad);
-
   body.chassis = dBodyCreate(world);
   dBodySetMass(body.chassis, &mass);
-  dBodySetRotation(body.chassis, turned);
   dBodySetFiniteRotationMode(body.chassis, 1);
-  dBodySetPosition(body.chassis, start.x_m + cosine * plan.mass_centre[0],
-                   start.y_m + sine * plan.mass_centre[0], plan.mass_centre[2]);
+  body.left = build_wheel(world, plan);
+  body.right = build_wheel(world, plan);
+  stand(body, plan, start);
+
   body.hull = dCreateBox(nullptr, plan.box_size[0], plan.box_size[1], plan.box_size[2]);
   dGeomSetBody(body.hull, body.chassis);
   dGeomSetOffsetPosition(body.hull, plan.box_centre[0] - plan.mass_centre[0], 0.0,
                          plan.box_centre[2] - plan.mass_centre[2]);
-
-  body.left = build_wheel(world, plan);
-  body.right = build_wheel(world, plan);
-  dBodySetRotation(body.left, turned);
-  dBodySetRotation(body.right, turned);
-  dBodySetPosition(body.left, start.x_m - sine * plan.half_track, start.y_m + cosine * plan.half_track,
-                   plan.wheel_radius);
-  dBodySetPosition(body.right, start.x_m + sine * plan.half_track, start.y_m - cosine * plan.half_track,
-                   plan.wheel_radius);
   body.left_motor = build_motor(world, plan, body.left, body.chassis);
   body.right_motor = build_motor(world, plan, body.right, body.chassis);
   return body;

@@ -37,6 +37,8 @@ struct RobotBody {
 };
 
 [[nodiscard]] RobotBody build_robot(dWorldID world, const BodyPlan& plan, const Pose& start);
+/// Puts a robot on its wheels at `pose`, at rest.
+void stand(const RobotBody& body, const BodyPlan& plan, const Pose& pose);
 
 /// Contacts of the wheels and the caster with the floor, if they touch it.
 void add_floor_contacts(dWorldID world, dJointGroupID contacts, const RobotBody& body, const BodyPlan& plan);

@@ -59,6 +59,7 @@ void WorldShell::on_radio_step(const msg::RadioStep& sample, const ParticipantId
     if (robot >= 1 && robot <= radio_due_.size()) radio_due_[robot - 1] = true;
   }
   radio_chain_ = sample.chain();
+  radio_controlled_ = radio_controlled_ || sample.controlled();
   barrier_.answer_radio();
   progress();
 }

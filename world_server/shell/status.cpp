@@ -56,7 +56,8 @@ void WorldShell::publish_status(Wall now) {
   status.items_delivered(world_.items_delivered());
   status.completed(phase_ == Phase::kFinished && config_.experiment.items > 0 &&
                    world_.items_delivered() >= config_.experiment.items);
-  status.disturbed(barrier_.disturbed());
+  status.disturbed(is_disturbed());
+  status.paused(control_.is_paused());
   status.digest(digest_);
   status.steps(steps);
   status.refused_commands(sum(tallies_.refused_commands));

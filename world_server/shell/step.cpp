@@ -62,6 +62,7 @@ void WorldShell::progress() {
         break;
       case Phase::kClosed:
         if (world_.finished()) return finish();
+        reach_boundary();
         if (!may_open(std::chrono::steady_clock::now())) return;
         open_step();
         break;
@@ -72,11 +73,12 @@ void WorldShell::progress() {
 }
 
 bool WorldShell::may_open(Wall now) {
+  if (control_.is_paused()) return false;
   const auto held_by = credits_.holding_back(world_.now(), period_ * idl::kMaxStepsAhead);
   if (held_by && !named_hold_) spdlog::debug("held back by observer={}", *held_by);
   named_hold_ = held_by.has_value();
   if (named_hold_) return false;
-  if (config_.experiment.pacing == Pacing::kFast || now >= due_) return true;
+  if (control_.speed() == 0.0 || now >= due_) return true;
   loop_.notify();  // the main thread opens it when it is due
   return false;
 }
@@ -87,8 +89,11 @@ void WorldShell::open_step() {
   stamp_ = world_.now();
   barrier_.open(now);
   phase_ = Phase::kOpen;
-  due_ = now - due_ > 100ms ? now + period_ : due_ + period_;  // a hold is not caught up with
-  if (!first) publish_sensors();  // the first frames have been out since the start
+  const double speed = control_.speed() == 0.0 ? 1.0 : control_.speed();
+  const auto period = std::chrono::duration_cast<Wall::duration>(
+      std::chrono::duration<double, std::nano>(static_cast<double>(period_.count()) / speed));
+  due_ = now - due_ > 100ms ? now + period : due_ + period;  // a hold is not caught up with
+  if (!first) publish_sensors();                             // the first frames have been out since the start
   publish_truth(false);
 }
 
@@ -122,6 +127,10 @@ void WorldShell::publish_truth(bool last) {
 
 void WorldShell::advance() {
   const Stopwatch watch{tallies_.physics};
+  for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
+    auto& command = commands_[robot - 1];
+    if (command && control_.is_held(robot)) command->left_mps = command->right_mps = 0.0;
+  }
   world_.advance(commands_);
   if (config_.experiment.pacing != Pacing::kFree) commands_.assign(commands_.size(), std::nullopt);
   phase_ = Phase::kAdvanced;
@@ -132,6 +141,7 @@ void WorldShell::finish() {
   stamp_ = world_.now();
   tallies_.ended = std::chrono::steady_clock::now();
   digest_ = pure::digest(world_.chain(), radio_chain_);
+  reply(control_.end());
   publish_truth(true);
   publish_status(tallies_.ended);
   spdlog::info("finished sim_s={:.3f} items={} digest={}", std::chrono::duration<double>(stamp_).count(),

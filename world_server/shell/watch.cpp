@@ -51,12 +51,13 @@ void WorldShell::free_step() {
   advance();
   phase_ = Phase::kClosed;
   if (world_.finished()) return finish();
-  open_step();
+  reach_boundary();
+  if (!control_.is_paused()) open_step();
 }
 
 Wall WorldShell::next_deadline(Wall now) const {
   const bool paced =
-      config_.experiment.pacing != Pacing::kFast && !named_hold_ &&
+      control_.speed() != 0.0 && !named_hold_ && !control_.is_paused() &&
       (phase_ == Phase::kClosed || (phase_ == Phase::kOpen && config_.experiment.pacing == Pacing::kFree));
   return paced ? std::min(status_due_, std::max(due_, now)) : status_due_;
 }

@@ -26,6 +26,13 @@ BarrierConfig barrier_config(const WorldConfig& config) {
   return barrier;
 }
 
+ControlConfig control_config(const WorldConfig& config) {
+  const runtime::Pacing pacing = config.experiment.pacing;
+  return {.robots = config.robots.count,
+          .speed = pacing == runtime::Pacing::kFast ? 0.0 : 1.0,
+          .follows_clock = pacing == runtime::Pacing::kFree};
+}
+
 }  // namespace
 
 WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
@@ -36,6 +43,7 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
       period_{period_of(config)},
       world_{config},
       barrier_{barrier_config(config)},
+      control_{control_config(config)},
       credits_{awaited},
       tallies_{config.robots.count},
       commands_(config.robots.count),
@@ -55,6 +63,7 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
   truths_ = bus_.writer<msg::WorldTruthPubSubType>(idl::kTruth);
   clock_ = bus_.writer<rosgraph_msgs::msg::ClockPubSubType>(idl::kClock);
   statuses_ = bus_.writer<msg::WorldStatusPubSubType>(idl::kWorldStatus);
+  replies_ = bus_.writer<msg::ControlReplyPubSubType>(idl::kControlReply);
   publish_sensors();
   // Not under the lock: making a reader waits for DDS's own locks, whose holders may be waiting for ours in a
   // callback.
@@ -70,6 +79,9 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
   bus_.reader<msg::RunCreditPubSubType>(
       idl::kRunCredit, 0,
       [this](const msg::RunCredit& sample, const ParticipantId& sender) { on_credit(sample, sender); });
+  bus_.reader<msg::ControlRequestPubSubType>(
+      idl::kControlRequest, 0,
+      [this](const msg::ControlRequest& request, const ParticipantId& /*sender*/) { on_control(request); });
 }
 
 WorldShell::~WorldShell() { bus_.close(); }

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "clockPubSubTypes.h"
+#include "controlPubSubTypes.h"
 #include "robotPubSubTypes.h"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
 #include "worldPubSubTypes.h"
 #include "world_server/barrier/barrier.hpp"
+#include "world_server/control/control.hpp"
 #include "world_server/shell/credits.hpp"
 #include "world_server/shell/tallies.hpp"
 #include "world_server/world.hpp"
@@ -47,6 +49,7 @@ class WorldShell {
                   const runtime::ParticipantId& sender);
   void on_radio_step(const caravan_interfaces::msg::RadioStep& sample, const runtime::ParticipantId& sender);
   void on_credit(const caravan_interfaces::msg::RunCredit& sample, const runtime::ParticipantId& sender);
+  void on_control(const caravan_interfaces::msg::ControlRequest& request);
   [[nodiscard]] bool is_current(std::uint64_t session, Time stamp) const;
   [[nodiscard]] bool owns(std::optional<runtime::ParticipantId>& owner, const runtime::ParticipantId& sender);
 
@@ -54,6 +57,10 @@ class WorldShell {
   void read_mailbox();
   void forget(const runtime::Discovery& gone);
   void progress();
+  void reach_boundary();
+  void reply(const std::vector<Outcome>& outcomes);
+  [[nodiscard]] std::uint64_t next_step() const;
+  [[nodiscard]] bool is_disturbed() const;
   [[nodiscard]] bool may_open(Wall now);
   void open_step();
   void publish_sensors();
@@ -77,6 +84,7 @@ class WorldShell {
   std::mutex mutex_;
   World world_;
   Barrier barrier_;
+  Control control_;
   Credits credits_;
   Tallies tallies_;
   Phase phase_ = Phase::kWaiting;
@@ -87,6 +95,7 @@ class WorldShell {
   std::optional<runtime::ParticipantId> radio_owner_;
   std::vector<bool> radio_due_;
   std::uint64_t radio_chain_;
+  bool radio_controlled_ = false;
   Wall due_{};  // of the next step, when paced
   Wall status_due_{};
   std::string digest_;
@@ -104,6 +113,7 @@ class WorldShell {
   runtime::Writer<caravan_interfaces::msg::WorldTruthPubSubType> truths_;
   runtime::Writer<rosgraph_msgs::msg::ClockPubSubType> clock_;
   runtime::Writer<caravan_interfaces::msg::WorldStatusPubSubType> statuses_;
+  runtime::Writer<caravan_interfaces::msg::ControlReplyPubSubType> replies_;
 };
 
 }  // namespace caravan::world

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/control/run_ctl.hpp"
+
+#include <condition_variable>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+
+#include "deploy/control/requester.hpp"
+#include "deploy/control/words.hpp"
+#include "idl/stamp.hpp"
+#include "runtime/config/start_error.hpp"
+#include "runtime/process/run_process.hpp"
+#include "worldPubSubTypes.h"
+
+namespace caravan::deploy {
+namespace {
+
+using namespace std::chrono_literals;
+namespace msg = caravan_interfaces::msg;
+
+constexpr auto kStatusPatience = 10s;
+constexpr auto kAnswerPatience = 10s;
+
+/// Keeps the newest status of the world.
+class WorldWatch {
+ public:
+  void join(runtime::Bus& bus) {
+    bus.reader<msg::WorldStatusPubSubType>(idl::kWorldStatus, 0,
+                                           [this](const msg::WorldStatus& one, const auto&) {
+                                             const std::lock_guard lock{mutex_};
+                                             newest_ = one;
+                                             changed_.notify_all();
+                                           });
+  }
+  [[nodiscard]] std::optional<msg::WorldStatus> wait() {
+    std::unique_lock lock{mutex_};
+    changed_.wait_for(lock, kStatusPatience, [this] { return newest_.has_value(); });
+    return newest_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::optional<msg::WorldStatus> newest_;
+};
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "-" : text;
+}
+
+void print(const msg::WorldStatus& status) {
+  const char* state = status.state() == msg::WorldStatus_Constants::WAITING    ? "waiting"
+                      : status.state() == msg::WorldStatus_Constants::FINISHED ? "finished"
+                      : status.paused()                                        ? "paused"
+                                                                               : "running";
+  std::printf("%s  steps %llu  simulated %.3f s  members %u  items %u%s\nmissing %s\nhung %s\ngone %s\n",
+              state, static_cast<unsigned long long>(status.steps()),
+              std::chrono::duration<double>(idl::to_time(status.stamp())).count(), status.members(),
+              status.items_delivered(), status.disturbed() ? "  disturbed" : "",
+              listed(status.missing()).c_str(), listed(status.hung()).c_str(), listed(status.gone()).c_str());
+}
+
+int print(const ControlAnswer& answer) {
+  const auto step = static_cast<unsigned long long>(answer.step);
+  if (answer.kind == ControlAnswer::Kind::kDone) std::printf("done at step %llu\n", step);
+  if (answer.kind == ControlAnswer::Kind::kScheduled) std::printf("scheduled for step %llu\n", step);
+  if (answer.is_good()) return runtime::kDone;
+  const char* how = answer.kind == ControlAnswer::Kind::kRefused ? "refused: " : "";
+  std::fprintf(stderr, "%s%s\n", how, answer.reason.c_str());
+  return runtime::kFailed;
+}
+
+std::optional<msg::ControlRequest> read(const std::vector<std::string>& words) {
+  try {
+    return read_control(Words{words});
+  } catch (const WordsError& error) {
+    throw runtime::StartError{std::string{"caravan ctl: "} + error.what()};
+  }
+}
+
+}  // namespace
+
+std::string ctl_help() {
+  std::string text = "Things to ask (each may end in `at STEP`):\n  status  how the world is\n";
+  for (const ControlForm& form : control_forms())
+    text += "  " + std::string{form.form} + "  " + std::string{form.meaning} + "\n";
+  return text;
+}
+
+int run_ctl(std::uint32_t domain, const std::vector<std::string>& words) {
+  const bool only_status = words.size() == 1 && words[0] == "status";
+  const auto request = read(words);
+  if (!request && !only_status)
+    throw runtime::StartError{"caravan ctl: unknown request, see caravan ctl --help"};
+  WorldWatch world;
+  Requester requester;
+  runtime::Bus bus{{.role = "ctl", .domain = domain, .lease_s = 2.0}};
+  world.join(bus);
+  requester.join(bus);
+  const auto status = world.wait();
+  if (!status) {
+    std::fprintf(stderr, "no world in DDS domain %u\n", domain);
+    bus.close();
+    return runtime::kFailed;
+  }
+  int code = runtime::kDone;
+  if (only_status) {
+    print(*status);
+  } else {
+    msg::ControlRequest asked = *request;
+    asked.session(status->session());
+    code = print(requester.ask(asked, kAnswerPatience));
+  }
+  bus.close();
+  return code;
+}
+
+}  // namespace caravan::deploy

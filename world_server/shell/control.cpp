@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is asked of the running world, and its answers.
+#include <spdlog/spdlog.h>
+
+#include "world_server/shell/world_shell.hpp"
+
+namespace caravan::world {
+namespace msg = caravan_interfaces::msg;
+
+namespace {
+
+namespace kind = msg::ControlRequest_Constants;
+namespace result = msg::ControlReply_Constants;
+
+bool is_for_the_radio(const msg::ControlRequest& request) {
+  return request.action() == kind::RADIO_OVERRIDE || request.action() == kind::RADIO_CLEAR;
+}
+
+Action to_action(const msg::ControlRequest& request) {
+  const std::uint32_t robot = request.robots().empty() ? 0 : request.robots().front();
+  switch (request.action()) {
+    case kind::PAUSE:
+      return Pause{};
+    case kind::RESUME:
+      return Resume{};
+    case kind::STEP:
+      return TakeSteps{request.steps()};
+    case kind::SPEED:
+      return SetSpeed{request.speed_factor()};
+    case kind::TELEPORT:
+      return Teleport{robot, {request.x_m(), request.y_m(), request.yaw_rad()}};
+    case kind::HOLD:
+      return Hold{robot};
+    case kind::RELEASE:
+      return Release{robot};
+    case kind::SPAWN:
+      return Spawn{};
+    case kind::REMOVE:
+      return Remove{robot};
+    default:
+      return UnknownAction{};
+  }
+}
+
+std::uint8_t to_wire(Outcome::Kind outcome) {
+  switch (outcome) {
+    case Outcome::Kind::kRefused:
+      return result::REFUSED;
+    case Outcome::Kind::kScheduled:
+      return result::SCHEDULED;
+    case Outcome::Kind::kDone:
+      return result::DONE;
+  }
+  return result::REFUSED;
+}
+
+}  // namespace
+
+std::uint64_t WorldShell::next_step() const {
+  // Step 0 is as it is: its sensors are out from the start. An open step counts as taken once it has moved.
+  if (phase_ == Phase::kWaiting) return 1;
+  return world_.step() + (phase_ == Phase::kOpen ? 1 : 0);
+}
+
+bool WorldShell::is_disturbed() const {
+  return barrier_.disturbed() || control_.was_used() || radio_controlled_;
+}
+
+void WorldShell::on_control(const msg::ControlRequest& request) {
+  if (is_for_the_radio(request)) return;
+  const std::lock_guard lock{mutex_};
+  if (request.session() != session_) {
+    reply({{request.requester(), request.id(), Outcome::Kind::kRefused, 0, "that session is over"}});
+    return;
+  }
+  const auto outcome =
+      control_.ask({request.requester(), request.id(), request.at_step(), to_action(request)}, next_step());
+  if (!outcome) return;
+  reply({*outcome});
+  progress();
+  loop_.notify();  // a deadline may have changed, and the status
+}
+
+void WorldShell::reach_boundary() {
+  const bool was_paused = control_.is_paused();
+  reply(control_.reach(
+      world_.step(), [this](const Teleport& teleport) { return world_.place(teleport.robot, teleport.to); }));
+  if (control_.is_paused() == was_paused) return;
+  status_due_ = {};
+  loop_.notify();
+}
+
+void WorldShell::reply(const std::vector<Outcome>& outcomes) {
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.kind != Outcome::Kind::kScheduled) {
+      spdlog::info("control {} requester=\"{}\" id={} step={}{}{}",
+                   outcome.kind == Outcome::Kind::kDone ? "done" : "refused", outcome.requester, outcome.id,
+                   outcome.step, outcome.reason.empty() ? "" : ": ", outcome.reason);
+    }
+    msg::ControlReply sample;
+    sample.requester(outcome.requester);
+    sample.id(outcome.id);
+    sample.session(session_);
+    sample.outcome(to_wire(outcome.kind));
+    sample.step(outcome.step);
+    sample.reason(outcome.reason);
+    if (!replies_.write(sample)) ++tallies_.refused_writes;
+  }
+}
+
+}  // namespace caravan::world
