@@ -52,6 +52,19 @@ Outline read_outline(TomlTable& table, const WorldConfig& config) {
   return outline;
 }
 
+/// Gives each robot as much room as the scenario writes down for `arena_for_robots` of them.
+void make_room(TomlTable& table, WorldConfig& config) {
+  if (config.arena_for_robots == 0) return;
+  for (const std::string_view solid : {"box", "cylinder", "outline"}) {
+    if (table.has(solid))
+      table.fail("arena_for_robots", "does not go with obstacles, which would stay where they are");
+  }
+  const double factor = std::sqrt(static_cast<double>(config.robots.count) / config.arena_for_robots);
+  for (auto* lengths : {&config.arena_m, &config.start_low_m, &config.start_high_m}) {
+    for (double& one : *lengths) one *= factor;
+  }
+}
+
 void read_world(TomlTable& table, WorldConfig& config) {
   for (const std::string_view key : {"start_low_m", "start_high_m"}) require(table, key);
   table.read("step_s", config.step_s, {0.001, 1.0});
@@ -61,6 +74,8 @@ void read_world(TomlTable& table, WorldConfig& config) {
   table.read("start_low_m", config.start_low_m);
   table.read("start_high_m", config.start_high_m);
   table.read("start_spacing_m", config.start_spacing_m, kPositive);
+  table.read("arena_for_robots", config.arena_for_robots);
+  make_room(table, config);
   for (TomlTable& box : table.tables("box")) config.boxes.push_back(read_box(box, config));
   for (TomlTable& one : table.tables("cylinder")) config.cylinders.push_back(read_cylinder(one, config));
   for (TomlTable& one : table.tables("outline")) config.outlines.push_back(read_outline(one, config));

@@ -15,6 +15,7 @@ struct WorldConfig {
   double step_s = 0.032;                      ///< simulated time of one step
   std::uint32_t substeps = 2;                 ///< physics steps in it
   std::array<double, 2> arena_m{50.0, 50.0};  ///< inner size, centred on the origin of W
+  std::uint32_t arena_for_robots = 0;  ///< how many have room in arena_m as written; 0: it is as written
   double wall_height_m = 1.0;
   std::array<double, 2> start_low_m{};  ///< start area, its corners
   std::array<double, 2> start_high_m{};

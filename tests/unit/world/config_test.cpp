@@ -148,6 +148,22 @@ TEST(WorldConfig, RefusesStartsThatOverlapAndBodiesThatDoNotFitTogether) {
   EXPECT_THAT(body.refusal(), HasSubstr("robots.body_height_m"));
 }
 
+TEST(WorldConfig, GivesEachRobotAsMuchRoomAsTheArenaIsWrittenFor) {
+  Scenario scenario;
+  scenario.robots += "count = 36\n";
+  const WorldConfig config = scenario.with("arena_for_robots = 9\n").load();
+  EXPECT_THAT(config.arena_m, testing::ElementsAre(24.0, 24.0));
+  EXPECT_THAT(config.start_low_m, testing::ElementsAre(-10.0, -10.0));
+  EXPECT_THAT(config.start_high_m, testing::ElementsAre(-6.0, -6.0));
+  EXPECT_THAT(scenario.load().arena_m, testing::ElementsAre(12.0, 12.0));
+}
+
+TEST(WorldConfig, RefusesObstaclesInAnArenaThatGrows) {
+  const std::string cylinder = "[[world.cylinder]]\ncentre_m = [0.0, 0.0]\nradius_m = 0.4\n";
+  EXPECT_THAT(Scenario{}.with("arena_for_robots = 9\n" + cylinder).refusal(),
+              HasSubstr("world.arena_for_robots"));
+}
+
 class ShippedScenario : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ShippedScenario, Loads) {

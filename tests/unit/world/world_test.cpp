@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <regex>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -160,13 +163,14 @@ TEST(World, SensesItsTruePlaceWithoutNoise) {
   for (const double age : senses.sonar_age_s) EXPECT_EQ(age, 0.0);
 }
 
+// The shipped scenario gives each robot as much room as fifteen have.
 TEST(World, HoldsAThousandRobots) {
-  WorldConfig config = shipped("scaling");
-  const double side = 50.0 * std::sqrt(1000.0 / 15.0);
-  config.arena_m = {side, side};
-  config.start_low_m = {-0.48 * side, -0.48 * side};
-  config.start_high_m = {0.48 * side, 0.48 * side};
-  config.robots.count = 1000;
+  std::ostringstream text;
+  text << std::ifstream{std::string{CARAVAN_SOURCE_DIR} + "/deploy/scenarios/scaling.toml"}.rdbuf();
+  const std::string fifteen = text.str();
+  const std::string thousand = std::regex_replace(fifteen, std::regex{"count = 15"}, "count = 1000");
+  const WorldConfig config = load_world_config(runtime::TomlDocument::parse(thousand, "scaling.toml"));
+  EXPECT_NEAR(config.arena_m[0] * config.arena_m[1], 2500.0 / 15.0 * 1000.0, 1e-6);
   World world{config};
   EXPECT_EQ(world.poses().size(), 1000U);
   static_cast<void>(wander(world, 1000, 1, 3));
