@@ -59,11 +59,10 @@ dBodyID build_wheel(dWorldID world, const BodyPlan& plan) {
 
 dJointID build_motor(dWorldID world, const BodyPlan& plan, dBodyID wheel, dBodyID chassis) {
   const dReal* at = dBodyGetPosition(wheel);
-  const dReal* turned = dBodyGetRotation(chassis);
   const dJointID motor = dJointCreateHinge(world, nullptr);
   dJointAttach(motor, wheel, chassis);
   dJointSetHingeAnchor(motor, at[0], at[1], at[2]);
-  dJointSetHingeAxis(motor, turned[1], turned[5], turned[9]);  // y of B: a positive rate rolls forward
+  dJointSetHingeAxis(motor, 0.0, 1.0, 0.0);  // y of B: a positive rate rolls forward
   dJointSetHingeParam(motor, dParamVel, 0.0);
   dJointSetHingeParam(motor, dParamFMax, plan.motor_torque);
   return motor;
@@ -90,39 +89,23 @@ BodyPlan::BodyPlan(const runtime::RobotsTable& robots)
   motor_torque = 0.5 * kMotorAcceleration * robots.mass_kg * wheel_radius;
 }
 
-void stand(const RobotBody& body, const BodyPlan& plan, const Pose& pose) {
-  dMatrix3 turned;
-  dRFromAxisAndAngle(turned, 0, 0, 1, pose.yaw_rad);
-  const double cosine = std::cos(pose.yaw_rad);
-  const double sine = std::sin(pose.yaw_rad);
-  for (const dBodyID part : {body.chassis, body.left, body.right}) {
-    dBodySetRotation(part, turned);
-    dBodySetLinearVel(part, 0.0, 0.0, 0.0);
-    dBodySetAngularVel(part, 0.0, 0.0, 0.0);
-  }
-  dBodySetPosition(body.chassis, pose.x_m + cosine * plan.mass_centre[0],
-                   pose.y_m + sine * plan.mass_centre[0], plan.mass_centre[2]);
-  dBodySetPosition(body.left, pose.x_m - sine * plan.half_track, pose.y_m + cosine * plan.half_track,
-                   plan.wheel_radius);
-  dBodySetPosition(body.right, pose.x_m + sine * plan.half_track, pose.y_m - cosine * plan.half_track,
-                   plan.wheel_radius);
-}
-
-RobotBody build_robot(dWorldID world, const BodyPlan& plan, const Pose& start) {
+RobotBody build_robot(dWorldID world, const BodyPlan& plan) {
   RobotBody body;
   dMass mass;
   dMassSetBoxTotal(&mass, plan.chassis_mass, plan.box_size[0], plan.box_size[1], plan.box_size[2]);
   body.chassis = dBodyCreate(world);
   dBodySetMass(body.chassis, &mass);
   dBodySetFiniteRotationMode(body.chassis, 1);
-  body.left = build_wheel(world, plan);
-  body.right = build_wheel(world, plan);
-  stand(body, plan, start);
-
+  dBodySetPosition(body.chassis, plan.mass_centre[0], plan.mass_centre[1], plan.mass_centre[2]);
   body.hull = dCreateBox(nullptr, plan.box_size[0], plan.box_size[1], plan.box_size[2]);
   dGeomSetBody(body.hull, body.chassis);
   dGeomSetOffsetPosition(body.hull, plan.box_centre[0] - plan.mass_centre[0], 0.0,
                          plan.box_centre[2] - plan.mass_centre[2]);
+
+  body.left = build_wheel(world, plan);
+  body.right = build_wheel(world, plan);
+  dBodySetPosition(body.left, 0.0, plan.half_track, plan.wheel_radius);
+  dBodySetPosition(body.right, 0.0, -plan.half_track, plan.wheel_radius);
   body.left_motor = build_motor(world, plan, body.left, body.chassis);
   body.right_motor = build_motor(world, plan, body.right, body.chassis);
   return body;
@@ -138,14 +121,6 @@ void add_floor_contacts(dWorldID world, dJointGroupID contacts, const RobotBody&
   dBodyGetRelPointPos(body.chassis, plan.caster_x - plan.mass_centre[0], 0.0,
                       plan.caster_radius - plan.mass_centre[2], caster);
   add_contact(world, contacts, body.chassis, caster, plan.caster_radius, nullptr);
-}
-
-Pose pose_of(const RobotBody& body, const BodyPlan& plan, double* base_z) {
-  dVector3 base;
-  dBodyGetRelPointPos(body.chassis, -plan.mass_centre[0], 0.0, -plan.mass_centre[2], base);
-  const dReal* turned = dBodyGetRotation(body.chassis);
-  if (base_z != nullptr) *base_z = base[2];
-  return {base[0], base[1], std::atan2(turned[4], turned[0])};
 }
 
 }  // namespace caravan::world

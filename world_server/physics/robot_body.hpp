@@ -36,14 +36,10 @@ struct RobotBody {
   dGeomID hull = nullptr;
 };
 
-[[nodiscard]] RobotBody build_robot(dWorldID world, const BodyPlan& plan, const Pose& start);
-/// Puts a robot on its wheels at `pose`, at rest.
-void stand(const RobotBody& body, const BodyPlan& plan, const Pose& pose);
+/// At the origin, heading east.
+[[nodiscard]] RobotBody build_robot(dWorldID world, const BodyPlan& plan);
 
 /// Contacts of the wheels and the caster with the floor, if they touch it.
 void add_floor_contacts(dWorldID world, dJointGroupID contacts, const RobotBody& body, const BodyPlan& plan);
-
-/// Where the base is. The floor is z = 0.
-[[nodiscard]] Pose pose_of(const RobotBody& body, const BodyPlan& plan, double* base_z = nullptr);
 
 }  // namespace caravan::world

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <span>
 
 #include "tests/unit/world/worlds.hpp"
 #include "world_server/physics/dynamics.hpp"
@@ -63,6 +64,7 @@ TEST_P(Drive, GoesStraightFromRestWithinTheSameTolerance) {
   robot.physics().drive(0, speed, speed);
   robot.run(16.0);
   EXPECT_NEAR(distance(from, robot.pose()), 16.0 * speed, kTolerance * 16.0 * speed);
+  RecordProperty("distance_error", std::to_string(distance(from, robot.pose()) / (16.0 * speed) - 1.0));
 }
 
 TEST_P(Drive, TurnsInPlaceAtTwiceTheRimSpeedOverTheTrack) {
@@ -123,6 +125,39 @@ TEST_P(Drive, CountsItsWheelAngles) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Speeds, Drive, ::testing::Values(0.3, 1.2));
+
+// Neither robots elsewhere nor their number change a bit of it: in the open, in a crowd, against a wall.
+TEST(Fleet, MovesARobotAsIfItWereAlone) {
+  const WorldConfig config = empty_world(20.0, 1);
+  const std::array starts{Pose{3.0, -2.0, 0.7}, Pose{-4.0, 4.0, 0.0},  Pose{-3.3, 4.0, 3.0},
+                          Pose{-3.6, 4.7, 1.0}, Pose{9.0, -9.0, -0.5}, Pose{-4.0, -4.0, 2.0}};
+  Dynamics fleet{config, starts};
+  Dynamics open{config, std::span{starts}.subspan(0, 1)};
+  Dynamics crowd{config, std::span{starts}.subspan(1, 3)};
+  Dynamics corner{config, std::span{starts}.subspan(4, 1)};
+  std::size_t touches = 0;
+  for (std::uint64_t i = 0; i < steps_in(20.0); ++i) {
+    for (std::size_t k = 0; k < starts.size(); ++k) {
+      const double left = 0.4 + 0.3 * std::sin(static_cast<double>(i) / 17.0 + static_cast<double>(k));
+      const double right = 0.5;
+      fleet.drive(k, left, right);
+      if (k == 0) open.drive(0, left, right);
+      if (k >= 1 && k <= 3) crowd.drive(k - 1, left, right);
+      if (k == 4) corner.drive(0, left, right);
+    }
+    for (Dynamics* one : {&fleet, &open, &crowd, &corner}) one->advance();
+    touches += fleet.touches().size();
+    const auto expect_same = [](const Pose& a, const Pose& b) {
+      ASSERT_EQ(a.x_m, b.x_m);
+      ASSERT_EQ(a.y_m, b.y_m);
+      ASSERT_EQ(a.yaw_rad, b.yaw_rad);
+    };
+    expect_same(fleet.poses()[0], open.poses()[0]);
+    for (std::size_t k = 1; k <= 3; ++k) expect_same(fleet.poses()[k], crowd.poses()[k - 1]);
+    expect_same(fleet.poses()[4], corner.poses()[0]);
+  }
+  EXPECT_GT(touches, 20U);
+}
 
 TEST(Standing, DriftsLessThanAMillimetreAndATenthOfADegreeInTenMinutes) {
   Robot robot{10.0};

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "world_server/physics/robot_body.hpp"
+
+namespace caravan::world {
+
+/// Everything that decides how a robot moves in the next physics step, besides what it touches. Frame W, SI
+/// units. The wheels are where the axle holds them.
+struct RobotState {
+  std::array<double, 3> place{};  ///< of the chassis' centre of mass
+  std::array<double, 4> turn{};   ///< of the chassis; unit quaternion, w first
+  std::array<double, 3> speed{};  ///< of the chassis' centre of mass
+  std::array<double, 3> spin{};   ///< of the chassis
+  double left_rate = 0.0;         ///< of the wheels against the chassis, rad/s
+  double right_rate = 0.0;
+  double left_target = 0.0;  ///< what the motors hold it to
+  double right_target = 0.0;
+  double motor_torque = 0.0;      ///< N m, limit of each motor
+  double push_n = 0.0;            ///< at the centre of mass, along the heading
+  std::array<double, 3> force{};  ///< on the chassis, for one physics step
+  std::array<double, 3> torque{};
+  double left_rad = 0.0;  ///< how far the wheels have turned
+  double right_rad = 0.0;
+};
+
+/// Puts a robot on its wheels at `pose`, at rest.
+void stand(RobotState& state, const BodyPlan& plan, const Pose& pose);
+
+/// Where its base is.
+[[nodiscard]] Pose pose_of(const RobotState& state, const BodyPlan& plan);
+/// Height of its base above the floor.
+[[nodiscard]] double lift_of(const RobotState& state, const BodyPlan& plan);
+/// Cosine between its vertical axis and the world's.
+[[nodiscard]] double uprightness_of(const RobotState& state);
+/// Does the edge of its hull keep off the floor?
+[[nodiscard]] inline bool is_upright(const RobotState& state) { return uprightness_of(state) >= 0.995; }
+
+/// Bends the straight way from `from` to the state's place into the bow of a robot that turned evenly
+/// meanwhile.
+void bend(RobotState& state, const std::array<double, 3>& from, double seconds);
+
+/// Makes ODE's bodies those of `state`, the wheels exactly on their axle.
+void load(const RobotState& state, const RobotBody& body, const BodyPlan& plan);
+/// The state of ODE's bodies; what they do not know (targets, wheel angles, push) stays.
+void store(const RobotBody& body, RobotState& state);
+/// Only force and torque.
+void store_forces(const RobotBody& body, RobotState& state);
+
+}  // namespace caravan::world
