@@ -14,8 +14,10 @@ int main(int argc, char** argv) {
         const radio::MediumConfig config = radio::load_radio_config(scenario);
         const std::uint32_t robots = runtime::read_robots(scenario).count;
         if (start.check_only) return runtime::kDone;
-        const runtime::BusConfig bus{
-            .role = "radio_emulator", .domain = start.domain, .lease_s = start.lease_s};
+        const runtime::BusConfig bus{.role = "radio_emulator",
+                                     .domain = start.domain,
+                                     .lease_s = start.lease_s,
+                                     .transport = start.transport};
         return radio::RadioShell{config, robots, bus, loop}.run();
       });
 }

@@ -14,8 +14,10 @@ int main(int argc, char** argv) {
                                 const world::WorldConfig config =
                                     world::load_world_config(runtime::TomlDocument::load(start.scenario));
                                 if (start.check_only) return runtime::kDone;
-                                const runtime::BusConfig bus{
-                                    .role = "world_server", .domain = start.domain, .lease_s = start.lease_s};
+                                const runtime::BusConfig bus{.role = "world_server",
+                                                             .domain = start.domain,
+                                                             .lease_s = start.lease_s,
+                                                             .transport = start.transport};
                                 return world::WorldShell{config, bus, awaited, loop}.run();
                               });
 }

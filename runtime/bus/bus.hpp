@@ -10,6 +10,7 @@
 
 #include "idl/topics.hpp"
 #include "runtime/bus/identity.hpp"
+#include "runtime/bus/transport.hpp"
 
 namespace eprosima::fastdds::dds {
 class DataReader;
@@ -32,9 +33,9 @@ struct BusConfig {
   std::string role;
   std::uint32_t domain = 0;
   double lease_s = 5.0;  ///< a participant silent for so long is gone
-  /// What the samples travel by; null: shared memory. Any other is over UDP on this machine: loopback_udp()
-  /// or one around it.
-  std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport = {};
+  Transport transport = Transport::kSharedMemory;
+  /// With kUdp: one around loopback_udp() in its place; null: just that.
+  std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> around_udp = {};
 };
 
 /// Somebody came, left, or began to write or read a topic. Delivered on a discovery thread: post it to the
@@ -50,7 +51,7 @@ struct Discovery {
 template <typename PubSubType>
 class Writer;
 
-/// One DDS participant over shared memory alone: nothing leaves the machine. Reader callbacks run on its one
+/// One DDS participant on one transport: nothing leaves the machine. All reader callbacks run on its one
 /// receiving thread.
 ///
 /// All entities are made before samples flow. close() ends all callbacks, then deletes everything; the

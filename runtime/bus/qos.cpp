@@ -13,6 +13,8 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 namespace {
 
+constexpr std::uint32_t kParticipants = 120;  // so many have ports in a domain
+
 constexpr std::int32_t depth_of(idl::Delivery delivery) {
   switch (delivery) {
     case idl::Delivery::kStep:
@@ -55,12 +57,11 @@ void set_common(Qos& qos, idl::Delivery delivery) {
 std::int32_t fresh_number(std::uint32_t domain) {
   constexpr std::uint32_t kFirstPort = 7410;
   constexpr std::uint32_t kPortsOfADomain = 250;
-  constexpr std::int32_t kNumbers = 120;
   const auto is_used = [](std::uint32_t port) {
     std::error_code error;
     return std::filesystem::exists("/dev/shm/fastrtps_port" + std::to_string(port), error);
   };
-  for (std::int32_t number = 0; number < kNumbers; ++number) {
+  for (std::int32_t number = 0; number < static_cast<std::int32_t>(kParticipants); ++number) {
     const std::uint32_t port = kFirstPort + kPortsOfADomain * domain + 2 * static_cast<std::uint32_t>(number);
     if (!is_used(port) && !is_used(port + 1)) return number;
   }
@@ -74,6 +75,11 @@ void look_for_peers_on_loopback(rtps::BuiltinAttributes& builtin) {
   rtps::IPLocator::setIPv4(loopback, "127.0.0.1");
   builtin.metatrafficUnicastLocatorList.push_back(loopback);
   builtin.initialPeersList.push_back(loopback);
+}
+
+std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(const BusConfig& config) {
+  if (config.transport == Transport::kSharedMemory) return shared_memory();
+  return config.around_udp ? config.around_udp : loopback_udp();
 }
 
 eprosima::fastrtps::Duration_t milliseconds(std::uint32_t count) {
@@ -92,6 +98,7 @@ std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_me
 std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> loopback_udp() {
   auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   transport->interfaceWhiteList.emplace_back("127.0.0.1");
+  transport->maxInitialPeersRange = kParticipants;  // by default the fifth process would not be looked for
   return transport;
 }
 
@@ -99,8 +106,8 @@ dds::DomainParticipantQos participant_qos(const std::string& name, const BusConf
   dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
   qos.name(name.c_str());
   qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports.push_back(config.transport ? config.transport : shared_memory());
-  if (config.transport) {
+  qos.transport().user_transports.push_back(transport_of(config));
+  if (config.transport == Transport::kUdp) {
     look_for_peers_on_loopback(qos.wire_protocol().builtin);
   } else {
     qos.wire_protocol().participant_id = fresh_number(config.domain);

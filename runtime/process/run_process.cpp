@@ -25,12 +25,16 @@ int run_process(const Program& program, int argc, char** argv,
                 const std::function<int(const Start&, Loop&)>& body) {
   Start start;
   std::string level = "info";
+  std::string transport = to_text(start.transport);
   CLI::App app{program.purpose, program.name};
   app.set_version_flag("--version", std::string{kVersion});
   app.add_option("--scenario", start.scenario, "Scenario file (TOML)")->required();
   app.add_option("--domain", start.domain, "DDS domain, 0 to 232")->check(CLI::Range(0, 232));
   app.add_option("--lease", start.lease_s, "Seconds of silence after which this process counts as gone")
       ->check(CLI::Range(0.5, 60.0));
+  app.add_option("--transport", transport, "What DDS goes by: shm or udp (on 127.0.0.1)")
+      ->check(CLI::IsMember({"shm", "udp"}))
+      ->capture_default_str();
   app.add_flag("--check-config", start.check_only, "Check the configuration and end");
   app.add_option("--log-level", level, "Least severe message shown")
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error"}));
@@ -43,6 +47,7 @@ int run_process(const Program& program, int argc, char** argv,
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kCouldNotStart;
   }
+  start.transport = transport_named(transport);
   try {
     Loop loop;
     set_up_logging(program.name, level);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/bus/transport.hpp"
 #include "runtime/process/loop.hpp"
 
 namespace caravan::runtime {
@@ -40,7 +41,8 @@ struct Program {
 struct Start {
   std::filesystem::path scenario;
   std::uint32_t domain = 0;
-  double lease_s = 5.0;     ///< --lease: silent for so long, this process counts as gone
+  double lease_s = 5.0;  ///< --lease: silent for so long, this process counts as gone
+  Transport transport = Transport::kSharedMemory;
   bool check_only = false;  ///< --check-config: read and check the configuration, then end
 };
 

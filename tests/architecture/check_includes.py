@@ -17,7 +17,7 @@ ALLOWED = {
     "runtime/pure": [STD],
     "runtime/config": [STD, TOML, "runtime/pure"],
     "runtime/scenario": [STD, "runtime/config", "runtime/pure"],
-    "runtime/process": [STD, POSIX, LOG, CLI, "runtime/config"],
+    "runtime/process": [STD, POSIX, LOG, CLI, "runtime/config", "runtime/bus/transport.hpp"],
     "runtime/bus": [STD, POSIX, DDS, ROBOT_TYPES, "idl", "runtime/config", "runtime/pure"],
     "idl": [STD, ROBOT_TYPES],
     "robot_agent/core": [STD, EIGEN, "runtime/pure"],
@@ -32,7 +32,7 @@ ALLOWED = {
     "radio_emulator/config": [STD, *CONFIG, "radio_emulator/medium"],
     "radio_emulator": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "radio_emulator"],
     "deploy/metrics": [STD, POSIX, JSON, "runtime/config", "runtime/pure"],
-    "deploy/experiment": [STD, "runtime/config", "runtime/process", "deploy/metrics"],
+    "deploy/experiment": [STD, "runtime/config", "runtime/process", "runtime/bus/transport.hpp", "deploy/metrics"],
     "deploy/embedded": [STD, EIGEN, *CONFIG, "runtime/process", "deploy/metrics", "deploy/experiment",
                         "robot_agent/core", "robot_agent/config", "world_server", "radio_emulator/medium",
                         "radio_emulator/config"],
@@ -41,8 +41,8 @@ ALLOWED = {
                      "deploy/launcher/children.hpp"],
     "deploy/report": [STD, POSIX, "runtime/config", "runtime/process"],
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
-    "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "deploy", "robot_agent/config",
-                   "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium"],
+    "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/bus/transport.hpp", "deploy",
+                   "robot_agent/config", "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium"],
 }
 SHELLS = ("robot_agent/shell", "world_server/shell", "radio_emulator/shell")
 

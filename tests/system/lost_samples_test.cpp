@@ -65,8 +65,9 @@ rtps::TransportInterface* LossyDescriptor::create_transport() const { return new
 TEST(LostSamples, HoldUpTheLockstepForLessThanHalfASecond) {
   const deploy::DomainLock lock{std::nullopt};
   const auto lossy = std::make_shared<LossyDescriptor>();
-  runtime::Bus world{{.role = "world", .domain = lock.domain(), .transport = lossy}};
-  runtime::Bus robot{{.role = "robot", .domain = lock.domain(), .transport = runtime::loopback_udp()}};
+  runtime::Bus world{
+      {.role = "world", .domain = lock.domain(), .transport = runtime::Transport::kUdp, .around_udp = lossy}};
+  runtime::Bus robot{{.role = "robot", .domain = lock.domain(), .transport = runtime::Transport::kUdp}};
   constexpr int kRounds = 120;
   auto sensors = world.writer<msg::SensorFramePubSubType>(idl::kSensors, 1);
   auto commands = robot.writer<msg::RobotCommandPubSubType>(idl::kCommand, 1);
