@@ -1,21 +1,54 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <limits>
+
 #include "robot_agent/config/agent_config.hpp"
+#include "robot_agent/config/robot_list.hpp"
 #include "robot_agent/shell/agent_shell.hpp"
+#include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
 
+namespace {
+
+using namespace caravan;
+
+constexpr std::uint32_t kNotGiven = std::numeric_limits<std::uint32_t>::max();
+
+struct Chosen {
+  std::string text;  // as on the command line
+  std::vector<std::uint32_t> robots;
+};
+
+Chosen choose(std::uint32_t one, const std::vector<std::string>& several) {
+  if ((one != kNotGiven) == !several.empty() || several.size() > 1) {
+    throw runtime::StartError{"which robots? Give --robot I, or --robots LIST (such as 1-15 or 1,3,5-8)"};
+  }
+  if (several.empty()) return {std::to_string(one), {one}};
+  return {several.front(), agent::parse_robot_list(several.front())};
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace caravan;
-  std::uint32_t robot = 0;
+  std::uint32_t one = kNotGiven;
+  std::vector<std::string> several;
   const runtime::Program program{
       .name = "robot_agent",
-      .purpose = "One robot's behaviour: knows its own sensors, wheels and radio, nothing else",
-      .numbers = {{"--robot", "Number of the robot, from 1", true, &robot}}};
-  return runtime::run_process(
-      program, argc, argv, [&](const runtime::Start& start, runtime::Loop& loop) -> int {
-        const agent::Config config = agent::load_config(runtime::TomlDocument::load(start.scenario), robot);
-        if (start.check_only) return runtime::kDone;
-        const runtime::BusConfig bus{
-            .role = "robot_agent " + std::to_string(robot), .domain = start.domain, .lease_s = start.lease_s};
-        return agent::AgentShell{config, bus, loop}.run();
-      });
+      .purpose = "A robot's behaviour: knows its own sensors, wheels and radio, nothing else",
+      .numbers = {{"--robot", "Number of the robot, from 1", false, &one}},
+      .texts = {{"--robots", "Several in this process: 1-15, or 1,3,5-8", &several}}};
+  return runtime::run_process(program, argc, argv,
+                              [&](const runtime::Start& start, runtime::Loop& loop) -> int {
+                                const Chosen chosen = choose(one, several);
+                                const auto scenario = runtime::TomlDocument::load(start.scenario);
+                                std::vector<agent::Config> configs;
+                                for (const std::uint32_t robot : chosen.robots) {
+                                  configs.push_back(agent::load_config(scenario, robot));
+                                }
+                                if (start.check_only) return runtime::kDone;
+                                const runtime::BusConfig bus{.role = "robot_agent " + chosen.text,
+                                                             .domain = start.domain,
+                                                             .lease_s = start.lease_s,
+                                                             .transport = start.transport};
+                                return agent::AgentShell{configs, bus, loop}.run();
+                              });
 }

@@ -1,74 +1,65 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
+#include <map>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "robotPubSubTypes.h"
-#include "robot_agent/core/agent.hpp"
 #include "robot_agent/shell/clash.hpp"
+#include "robot_agent/shell/hosted_agent.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
 
 namespace caravan::agent {
 
-/// One agent on the bus. Its five topics are all it has: sensors and radio/rx in, command, radio/tx and
-/// telemetry out.
+/// The agents of one process on the bus: one, or several that know nothing of each other. Five topics are all
+/// that each has: sensors and radio/rx in, command, radio/tx and telemetry out.
 ///
-/// It steps on each sensor frame, on the bus's receiving thread; when the frame says that radio is due it
-/// waits for that first, one second at most. The main thread keeps that deadline, and settles a clash with
-/// another agent of the same number.
+/// They step on the bus's receiving thread, each when its own sensor frame arrives. The main thread keeps the
+/// deadlines, and settles a clash with another process that runs one of these robots: whoever must give way
+/// gives way with all of its robots.
 class AgentShell {
  public:
-  AgentShell(const Config& config, const runtime::BusConfig& bus, runtime::Loop& loop);
+  /// @param configs one for each robot, at least one, no robot twice
+  AgentShell(const std::vector<Config>& configs, const runtime::BusConfig& bus, runtime::Loop& loop);
   ~AgentShell();
   AgentShell(const AgentShell&) = delete;
   AgentShell& operator=(const AgentShell&) = delete;
 
-  /// Until the loop is told to stop; then leaves the robot with its wheels at zero. @return the exit code
-  /// @throws StartError when another agent holds the robot
+  /// Until the loop is told to stop; then leaves the robots with their wheels at zero. @return the exit code
+  /// @throws StartError when another process holds one of the robots
   int run();
 
  private:
   using Wall = std::chrono::steady_clock::time_point;
 
-  void on_sensors(const caravan_interfaces::msg::SensorFrame& frame);
-  void on_receive(const caravan_interfaces::msg::RadioReceive& sample);
-  /// False: a sample of a session that is over. A newer session starts the agent anew.
-  [[nodiscard]] bool follow_session(std::uint64_t session);
-  void step(const caravan_interfaces::msg::SensorFrame& frame);
-  void halt();
+  void make_readers(HostedAgent& agent);
   void watch(Wall now);
+  void read_mailbox(Wall now);
+  /// @throws StartError when the other process does not vanish
+  void settle_clash(Wall now);
+  void say_who_waits(Wall now);
+  /// None: every agent has heard from its world.
+  [[nodiscard]] const HostedAgent* first_without_world() const;
   [[nodiscard]] Wall next_deadline(Wall now) const;
 
-  const Config config_;
   runtime::Loop& loop_;
   const Wall began_;
 
   std::mutex mutex_;
-  std::uint64_t session_ = 0;
-  std::optional<Agent> agent_;  // of this session
-  Time now_{-1};                // stamp of the last frame stepped on
-  std::vector<Frame> heard_;
-  Time heard_until_{-1};                                         // stamp of the newest RadioReceive
-  std::optional<caravan_interfaces::msg::SensorFrame> waiting_;  // for its radio
-  Wall waiting_until_{};
-  std::optional<caravan_interfaces::msg::SensorFrame> held_;  // the newest that came in a clash
-  bool said_waiting_ = false;
-  std::uint64_t radio_timeouts_ = 0;
-  std::uint64_t refused_writes_ = 0;
-  bool told_refused_writes_ = false;
-  std::chrono::nanoseconds compute_{0};
+  std::deque<HostedAgent> agents_;                       // callbacks refer to them
+  std::map<std::string, std::uint32_t> robot_of_topic_;  // commands of these robots are ours to write
   std::optional<Clash> clash_;
+  bool said_waiting_ = false;
+  bool told_refused_writes_ = false;
 
   std::mutex mailbox_mutex_;
   std::vector<runtime::Discovery> mailbox_;
 
   runtime::Bus bus_;  // after the state, so that no callback outlives it
-  runtime::Writer<caravan_interfaces::msg::RobotCommandPubSubType> commands_;
-  runtime::Writer<caravan_interfaces::msg::RadioTransmitPubSubType> transmits_;
-  runtime::Writer<caravan_interfaces::msg::TelemetryPubSubType> telemetry_;
 };
 
 }  // namespace caravan::agent

@@ -9,23 +9,29 @@
 
 namespace caravan::agent {
 
-/// Two agents on one robot's topics: who stays.
+/// Two processes on one robot's topics: who stays.
 ///
 /// The one that started earlier by more than a second stays; of two that started together the lower GUID. The
-/// other keeps silent and gives the first one its lease and half a second to vanish (it may have been killed
-/// a moment ago), then ends.
+/// other keeps silent, with all of its robots, and gives the first one its lease and half a second to vanish
+/// (it may have been killed a moment ago), then ends.
 class Clash {
  public:
   using Wall = std::chrono::steady_clock::time_point;
 
+  struct Holder {
+    std::uint32_t robot = 0;
+    runtime::Identity identity;
+  };
+
   Clash(runtime::ParticipantId own, runtime::Identity own_identity, std::chrono::nanoseconds patience)
       : own_{own}, own_identity_{std::move(own_identity)}, patience_{patience} {}
 
-  /// Another writer of this robot's commands was found.
-  void found(const runtime::ParticipantId& other, const runtime::Identity& identity, Wall now) {
+  /// Another writer of the robot's commands was found.
+  void found(std::uint32_t robot, const runtime::ParticipantId& other, const runtime::Identity& identity,
+             Wall now) {
     if (!yields_to(other, identity)) return;
     if (senior_.empty()) deadline_ = now + patience_;
-    senior_[other] = identity;
+    senior_.try_emplace(other, Holder{robot, identity});
   }
   void vanished(const runtime::ParticipantId& other) { senior_.erase(other); }
 
@@ -35,8 +41,8 @@ class Clash {
   [[nodiscard]] std::optional<Wall> deadline() const {
     return senior_.empty() ? std::nullopt : std::optional{deadline_};
   }
-  /// Who holds the robot. @pre must_be_silent()
-  [[nodiscard]] const runtime::Identity& holder() const { return senior_.begin()->second; }
+  /// Who holds which robot: one of them. @pre must_be_silent()
+  [[nodiscard]] const Holder& holder() const { return senior_.begin()->second; }
 
  private:
   [[nodiscard]] bool yields_to(const runtime::ParticipantId& other, const runtime::Identity& identity) const {
@@ -49,7 +55,7 @@ class Clash {
   runtime::ParticipantId own_;
   runtime::Identity own_identity_;
   std::chrono::nanoseconds patience_;
-  std::map<runtime::ParticipantId, runtime::Identity> senior_;
+  std::map<runtime::ParticipantId, Holder> senior_;
   Wall deadline_{};
 };
 

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/shell/hosted_agent.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "idl/stamp.hpp"
+#include "robot_agent/core/frames/codec.hpp"
+#include "robot_agent/core/frames/text.hpp"
+#include "robot_agent/shell/wire.hpp"
+#include "runtime/pure/overload.hpp"
+
+namespace caravan::agent {
+namespace msg = caravan_interfaces::msg;
+
+namespace {
+
+constexpr auto kRadioPatience = std::chrono::seconds{1};
+
+/// In the paper's form; with --log-level trace only.
+void log_frames(const char* what, Time now, const std::vector<Frame>& frames) {
+  if (!spdlog::should_log(spdlog::level::trace)) return;
+  for (const Frame& frame : frames) {
+    const std::string text =
+        std::visit(pure::Overload{[](const DecodeError&) { return std::string{"malformed"}; },
+                                  [](const auto& message) { return to_text(Message{message}); }},
+                   decode(frame.bytes));
+    spdlog::trace("{} t_s={:.3f} channel={} {}", what, std::chrono::duration<double>(now).count(),
+                  frame.channel.value, text);
+  }
+}
+
+}  // namespace
+
+HostedAgent::HostedAgent(const Config& config, runtime::Bus& bus)
+    : config_{config},
+      commands_{bus.writer<msg::RobotCommandPubSubType>(idl::kCommand, robot())},
+      transmits_{bus.writer<msg::RadioTransmitPubSubType>(idl::kRadioTransmit, robot())},
+      telemetry_{bus.writer<msg::TelemetryPubSubType>(idl::kTelemetry, robot())} {}
+
+bool HostedAgent::follow_session(std::uint64_t session) {
+  if (session < session_) return false;
+  if (session == session_) return true;
+  spdlog::info("session={} robot={}: starting from the initial state", session, robot());
+  session_ = session;
+  agent_.emplace(config_);
+  now_ = heard_until_ = Time{-1};
+  heard_.clear();
+  waiting_.reset();
+  held_.reset();
+  compute_ = {};
+  return true;
+}
+
+void HostedAgent::sense(const msg::SensorFrame& frame, bool may_answer) {
+  const Time stamp = idl::to_time(frame.stamp());
+  if (!follow_session(frame.session()) || stamp <= now_) return;
+  if (!may_answer) {
+    held_ = frame;
+    return;
+  }
+  if (frame.radio_due() && heard_until_ < stamp) {
+    waiting_ = frame;
+    waiting_until_ = std::chrono::steady_clock::now() + kRadioPatience;
+    return;
+  }
+  step(frame);
+}
+
+void HostedAgent::hear(const msg::RadioReceive& sample, bool may_answer) {
+  if (!follow_session(sample.session())) return;
+  for (const msg::ReceivedFrame& frame : sample.frames()) {
+    heard_.push_back({Channel{frame.channel()}, frame.bytes()});
+  }
+  heard_until_ = std::max(heard_until_, idl::to_time(sample.stamp()));
+  if (waiting_ && may_answer && heard_until_ >= idl::to_time(waiting_->stamp())) step(*waiting_);
+}
+
+void HostedAgent::step(const msg::SensorFrame& frame) {
+  const auto began = std::chrono::steady_clock::now();
+  now_ = idl::to_time(frame.stamp());
+  log_frames("hears", now_, heard_);
+  Outputs outputs = agent_->step({.now = now_, .sensors = to_core(frame), .heard = std::move(heard_)});
+  heard_.clear();
+  compute_ += std::chrono::steady_clock::now() - began;
+  answer(outputs, frame);
+  waiting_.reset();
+}
+
+void HostedAgent::answer(Outputs& outputs, const msg::SensorFrame& frame) {
+  // Telemetry first: the world's next step needs the command, so an observer that sees the step has this
+  // report already.
+  if (outputs.reports) {
+    msg::Telemetry telemetry = to_telemetry(outputs.report);
+    telemetry.stamp(frame.stamp());
+    telemetry.session(session_);
+    telemetry.compute_s(std::chrono::duration<double>(compute_).count());
+    if (!telemetry_.write(telemetry)) ++refused_writes_;
+  }
+  msg::RobotCommand command = to_command(outputs);
+  command.stamp(frame.stamp());
+  command.session(session_);
+  if (!commands_.write(command)) ++refused_writes_;
+  log_frames("sends", now_, outputs.frames);
+  msg::RadioTransmit transmit = to_transmit(outputs);
+  transmit.stamp(frame.stamp());
+  transmit.session(session_);
+  if (!transmits_.write(transmit)) ++refused_writes_;
+}
+
+void HostedAgent::catch_up(Wall now) {
+  if (held_) {
+    // The world may be waiting for this answer, so that no other frame would come.
+    const msg::SensorFrame frame = *std::exchange(held_, std::nullopt);
+    if (frame.session() == session_ && idl::to_time(frame.stamp()) > now_) step(frame);
+  }
+  if (waiting_ && now >= waiting_until_) {
+    spdlog::warn("radio due but silent for 1 s: stepping without it, robot={} count={}", robot(),
+                 ++radio_timeouts_);
+    step(*waiting_);
+  }
+}
+
+void HostedAgent::halt() {
+  if (session_ == 0) return;
+  msg::RobotCommand stop;
+  stop.stamp(idl::to_wire(std::max(now_, Time{0})));
+  stop.session(session_);
+  commands_.write(stop);
+}
+
+}  // namespace caravan::agent

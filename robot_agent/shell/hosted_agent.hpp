@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "robotPubSubTypes.h"
+#include "robot_agent/core/agent.hpp"
+#include "runtime/bus/bus.hpp"
+
+namespace caravan::agent {
+
+/// One of a process's agents: what it has heard, and its three writers.
+///
+/// Steps on each sensor frame; when the frame says that radio is due it waits for that first, one second at
+/// most. Knows no lock: the shell calls it under its own. With `may_answer` false (another process holds the
+/// robot) it keeps the newest frame and says nothing.
+class HostedAgent {
+ public:
+  using Wall = std::chrono::steady_clock::time_point;
+
+  /// @throws StartError when DDS refuses a writer
+  HostedAgent(const Config& config, runtime::Bus& bus);
+
+  void sense(const caravan_interfaces::msg::SensorFrame& frame, bool may_answer);
+  void hear(const caravan_interfaces::msg::RadioReceive& sample, bool may_answer);
+  /// Answers what it has kept and what has waited for the radio too long. @pre the robot is this process's
+  void catch_up(Wall now);
+  /// Wheels at zero, if it ever had a world.
+  void halt();
+
+  [[nodiscard]] std::uint32_t robot() const { return config_.id.value; }
+  [[nodiscard]] bool has_world() const { return session_ != 0; }
+  [[nodiscard]] std::uint64_t refused_writes() const { return refused_writes_; }
+
+ private:
+  /// False: a sample of a session that is over. A newer session starts the agent anew.
+  [[nodiscard]] bool follow_session(std::uint64_t session);
+  void step(const caravan_interfaces::msg::SensorFrame& frame);
+  void answer(Outputs& outputs, const caravan_interfaces::msg::SensorFrame& frame);
+
+  Config config_;
+  std::uint64_t session_ = 0;
+  std::optional<Agent> agent_;  // of this session
+  Time now_{-1};                // stamp of the last frame stepped on
+  std::vector<Frame> heard_;
+  Time heard_until_{-1};                                         // stamp of the newest RadioReceive
+  std::optional<caravan_interfaces::msg::SensorFrame> waiting_;  // for its radio
+  Wall waiting_until_{};
+  std::optional<caravan_interfaces::msg::SensorFrame> held_;  // the newest that it may not answer yet
+  std::uint64_t radio_timeouts_ = 0;
+  std::uint64_t refused_writes_ = 0;
+  std::chrono::nanoseconds compute_{0};
+  runtime::Writer<caravan_interfaces::msg::RobotCommandPubSubType> commands_;
+  runtime::Writer<caravan_interfaces::msg::RadioTransmitPubSubType> transmits_;
+  runtime::Writer<caravan_interfaces::msg::TelemetryPubSubType> telemetry_;
+};
+
+}  // namespace caravan::agent
