@@ -28,6 +28,14 @@ void add_engine(CLI::App& app, std::string& engine) {
       ->capture_default_str();
 }
 
+void add_transport(CLI::App& app, runtime::Transport& transport) {
+  app.add_option_function<std::string>(
+         "--transport", [&](const std::string& text) { transport = runtime::transport_named(text); },
+         "What DDS goes by. shm: shared memory; udp: unicast on 127.0.0.1")
+      ->check(CLI::IsMember({"shm", "udp"}))
+      ->default_str(to_text(transport));
+}
+
 void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
   run.add_option("scenario", command.scenario, "Scenario file (TOML)")->required();
   add_engine(run, engine);
@@ -38,6 +46,11 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
   add_changes(run, command.overrides);
   run.add_option("--domain", command.domain, "DDS domain; without it a free one is taken")
       ->check(CLI::Range(0U, 232U));
+  add_transport(run, command.transport);
+  run.add_option("--agents-per-process", command.agents_per_process,
+                 "Of the dds engine: so many robots share a process; with many robots it is faster")
+      ->check(CLI::Range(1U, 65535U))
+      ->capture_default_str();
   run.add_option("--out", command.out, "Folder for the results; must be new or empty");
   run.add_flag("--quiet", command.quiet, "No progress, no result table");
   run.add_flag("--report", command.report, "Draw the report of the run when it has ended");
@@ -107,6 +120,7 @@ Command read_command_line(int argc, const char* const* argv) {
   ctl->add_option("--domain", ctl_command.domain, "DDS domain of the run")
       ->check(CLI::Range(0U, 232U))
       ->required();
+  add_transport(*ctl, ctl_command.transport);
   ctl->add_option("words", ctl_command.words, "What to ask")->required();
   ctl->footer(ctl_help());
   try {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "deploy/cli/overrides.hpp"
+#include "runtime/bus/transport.hpp"
 
 namespace caravan::deploy {
 
@@ -21,6 +22,8 @@ struct RunCommand {
   bool embedded = false;  ///< which engine
   Overrides overrides;
   std::optional<std::uint32_t> domain;
+  runtime::Transport transport = runtime::Transport::kSharedMemory;
+  std::uint32_t agents_per_process = 1;
   std::optional<std::filesystem::path> out;
   bool quiet = false;
   bool report = false;  ///< draw one at the end
@@ -48,6 +51,7 @@ struct SweepCommand {
 
 struct CtlCommand {
   std::uint32_t domain = 0;
+  runtime::Transport transport = runtime::Transport::kSharedMemory;
   std::vector<std::string> words;  ///< as run_ctl() takes them
 };
 

@@ -40,6 +40,8 @@ int run(const deploy::RunCommand& command) {
                                    .folder = folder,
                                    .scenario_file = folder / "scenario.toml",
                                    .domain = command.domain,
+                                   .transport = command.transport,
+                                   .agents_per_process = command.agents_per_process,
                                    .quiet = command.quiet,
                                    .loop = loop};
   const int code = command.embedded ? deploy::run_embedded(request) : deploy::run_dds(request);
@@ -69,7 +71,9 @@ int obey(const deploy::CheckCommand& command) { return check(command); }
 int obey(const deploy::RunCommand& command) { return run(command); }
 int obey(const deploy::SweepCommand& command) { return sweep(command); }
 int obey(const deploy::ReportCommand& command) { return deploy::write_report(command.folders, command.out); }
-int obey(const deploy::CtlCommand& command) { return deploy::run_ctl(command.domain, command.words); }
+int obey(const deploy::CtlCommand& command) {
+  return deploy::run_ctl(command.domain, command.transport, command.words);
+}
 
 }  // namespace
 

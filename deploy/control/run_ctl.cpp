@@ -90,14 +90,14 @@ std::string ctl_help() {
   return text;
 }
 
-int run_ctl(std::uint32_t domain, const std::vector<std::string>& words) {
+int run_ctl(std::uint32_t domain, runtime::Transport transport, const std::vector<std::string>& words) {
   const bool only_status = words.size() == 1 && words[0] == "status";
   const auto request = read(words);
   if (!request && !only_status)
     throw runtime::StartError{"caravan ctl: unknown request, see caravan ctl --help"};
   WorldWatch world;
   Requester requester;
-  runtime::Bus bus{{.role = "ctl", .domain = domain, .lease_s = 2.0}};
+  runtime::Bus bus{{.role = "ctl", .domain = domain, .lease_s = 2.0, .transport = transport}};
   world.join(bus);
   requester.join(bus);
   const auto status = world.wait();

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "deploy/metrics/run_facts.hpp"
+#include "runtime/bus/transport.hpp"
 #include "runtime/config/toml_table.hpp"
 #include "runtime/process/loop.hpp"
 
@@ -18,6 +19,8 @@ struct RunRequest {
   std::filesystem::path folder;         ///< exists, this run's own, absolute
   std::filesystem::path scenario_file;  ///< the effective scenario in it, for other processes to read
   std::optional<std::uint32_t> domain;  ///< DDS domain asked for; none: a free one
+  runtime::Transport transport = runtime::Transport::kSharedMemory;
+  std::uint32_t agents_per_process = 1;
   bool quiet = false;
   runtime::Loop& loop;  ///< says when SIGINT or SIGTERM came
 };

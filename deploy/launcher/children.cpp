@@ -27,6 +27,7 @@ namespace {
   if (getppid() != parent) _exit(1);
   dup2(log, STDOUT_FILENO);
   dup2(log, STDERR_FILENO);
+  close_range(STDERR_FILENO + 1, ~0U, 0);  // this process's DDS sockets and locks are not the child's
   execv(arguments[0], arguments.data());
   _exit(127);
 }

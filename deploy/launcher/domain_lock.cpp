@@ -2,7 +2,9 @@
 #include "deploy/launcher/domain_lock.hpp"
 
 #include <fcntl.h>
+#include <netinet/in.h>
 #include <sys/file.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -30,6 +32,19 @@ int try_lock(std::uint32_t domain) {
   return -1;
 }
 
+/// Whether somebody has the domain's first UDP port on this machine: a DDS program of another kind is there.
+bool has_udp_port(std::uint32_t domain) {
+  const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (probe < 0) return false;
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  address.sin_port = htons(static_cast<std::uint16_t>(7410 + 250 * domain));
+  const bool taken = bind(probe, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0;
+  close(probe);
+  return taken;
+}
+
 }  // namespace
 
 DomainLock::DomainLock(std::optional<std::uint32_t> wanted) {
@@ -42,7 +57,7 @@ DomainLock::DomainLock(std::optional<std::uint32_t> wanted) {
   for (domain_ = kFirst; domain_ <= kLast; ++domain_) {
     file_ = try_lock(domain_);
     if (file_ < 0) continue;
-    if (!has_living_ports(domain_)) {
+    if (!has_living_ports(domain_) && !has_udp_port(domain_)) {
       remove_dead_ports(domain_);
       return;
     }

@@ -44,13 +44,17 @@ class DdsRun {
  private:
   [[nodiscard]] double lease_s() const { return experiment_.pacing == runtime::Pacing::kFree ? 1.0 : 5.0; }
   [[nodiscard]] runtime::BusConfig bus_config() const {
-    return {.role = kObserverName, .domain = lock_.domain(), .lease_s = lease_s()};
+    return {.role = kObserverName,
+            .domain = lock_.domain(),
+            .lease_s = lease_s(),
+            .transport = request_.transport};
   }
   [[nodiscard]] std::filesystem::path log_folder() const {
     std::filesystem::create_directories(request_.folder / "logs");
     return request_.folder / "logs";
   }
   void start_everybody();
+  void start_agents(std::uint32_t first, std::uint32_t last);
   void start(const std::string& name, const std::string& program, std::vector<std::string> arguments);
   /// Until the run is decided, interrupted or lost.
   void follow();
@@ -71,7 +75,7 @@ class DdsRun {
   Wall segments_noted_{};
   bool decided_ = false;
   bool stepped_ = false;
-  std::size_t agents_running_ = 0;
+  std::size_t agent_processes_ = 0;
   std::string failure_;
   bool could_not_start_ = false;
   bool interrupted_ = false;
@@ -86,9 +90,22 @@ void DdsRun::start(const std::string& name, const std::string& program, std::vec
                                 "--domain",
                                 std::to_string(lock_.domain()),
                                 "--lease",
-                                std::to_string(lease_s())};
+                                std::to_string(lease_s()),
+                                "--transport",
+                                to_text(request_.transport)};
   line.insert(line.end(), arguments.begin(), arguments.end());
   children_.start(name, line);
+}
+
+void DdsRun::start_agents(std::uint32_t first, std::uint32_t last) {
+  const std::string one = std::to_string(first);
+  const std::string several = one + "-" + std::to_string(last);
+  if (first == last) {
+    start("robot_agent_" + one, "robot_agent", {"--robot", one});
+  } else {
+    start("robot_agent_" + several, "robot_agent", {"--robots", several});
+  }
+  ++agent_processes_;
 }
 
 void DdsRun::start_everybody() {
@@ -98,9 +115,9 @@ void DdsRun::start_everybody() {
   }
   start("world_server", "world_server", {"--await", kObserverName});
   start("radio_emulator", "radio_emulator", {});
-  for (std::uint32_t robot = 1; robot <= request_.facts.robots; ++robot) {
-    start("robot_agent_" + std::to_string(robot), "robot_agent", {"--robot", std::to_string(robot)});
-    ++agents_running_;
+  const std::uint32_t robots = request_.facts.robots;
+  for (std::uint32_t first = 1; first <= robots; first += request_.agents_per_process) {
+    start_agents(first, std::min(robots, first + request_.agents_per_process - 1));
   }
   children_.watch();
 }
@@ -120,9 +137,9 @@ void DdsRun::mourn(const Ended& one) {
   const std::string how = one.name + " (pid " + std::to_string(one.pid) + ") ended with exit code " +
                           std::to_string(one.exit_code) + ", its log says why";
   if (one.name.starts_with("robot_agent")) {
-    --agents_running_;
+    --agent_processes_;
     std::fprintf(stderr, "%s\n", how.c_str());
-    if (agents_running_ == 0) failure_ = "every agent has ended; the last was " + how;
+    if (agent_processes_ == 0) failure_ = "every agent has ended; the last was " + how;
   } else if (one.name == "world_server") {
     failure_ = how;
   } else {

@@ -39,6 +39,8 @@ TEST(CommandLine, ARunWithoutOptionsChangesNothingAndUsesDds) {
   EXPECT_EQ(run.overrides.seed, std::nullopt);
   EXPECT_EQ(run.domain, std::nullopt);
   EXPECT_EQ(run.out, std::nullopt);
+  EXPECT_EQ(run.transport, runtime::Transport::kSharedMemory);
+  EXPECT_EQ(run.agents_per_process, 1U);
 }
 
 TEST(CommandLine, AReportTakesAnyNumberOfFoldersAndAtLeastOne) {
@@ -52,9 +54,11 @@ TEST(CommandLine, AReportTakesAnyNumberOfFoldersAndAtLeastOne) {
 
 TEST(CommandLine, TakesEveryOptionOfARun) {
   const auto command =
-      read({"run",      "paper.toml", "--engine", "embedded", "--mode",     "partial", "--seed",   "9",
-            "--robots", "5",          "--items",  "0",        "--max-time", "90.5",    "--pacing", "realtime",
-            "--domain", "12",         "--out",    "/tmp/x",   "--quiet",    "--report"});
+      read({"run",        "paper.toml", "--engine", "embedded",    "--mode",   "partial",
+            "--seed",     "9",          "--robots", "5",           "--items",  "0",
+            "--max-time", "90.5",       "--pacing", "realtime",    "--domain", "12",
+            "--out",      "/tmp/x",     "--quiet",  "--transport", "udp",      "--agents-per-process",
+            "8",          "--report"});
 
   const auto& run = std::get<RunCommand>(command);
   EXPECT_TRUE(run.embedded);
@@ -66,6 +70,8 @@ TEST(CommandLine, TakesEveryOptionOfARun) {
   EXPECT_EQ(run.overrides.pacing, "realtime");
   EXPECT_EQ(run.domain, 12U);
   EXPECT_EQ(run.out, "/tmp/x");
+  EXPECT_EQ(run.transport, runtime::Transport::kUdp);
+  EXPECT_EQ(run.agents_per_process, 8U);
   EXPECT_TRUE(run.quiet);
   EXPECT_TRUE(run.report);
 }
@@ -118,6 +124,10 @@ TEST(CommandLine, AnswersMistakesWithOneLineThatNamesThem) {
   EXPECT_THAT(complaint({"sweep", "a.toml", "--out", "o", "--jobs", "0"}), testing::HasSubstr("--jobs"));
   EXPECT_THAT(complaint({"sweep", "a.toml", "--out", "o", "--summarise", "--task-index", "1"}),
               testing::HasSubstr("--summarise"));
+  EXPECT_THAT(complaint({"run", "a.toml", "--transport", "carrier-pigeon"}),
+              testing::HasSubstr("--transport"));
+  EXPECT_THAT(complaint({"run", "a.toml", "--agents-per-process", "0"}),
+              testing::HasSubstr("--agents-per-process"));
   EXPECT_THAT(complaint({"run", "a.toml", "--colour", "red"}), testing::HasSubstr("--colour"));
 }
 
