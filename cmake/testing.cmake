@@ -5,9 +5,10 @@ if(BUILD_TESTING)
   include(GoogleTest)
 endif()
 
-# caravan_test(NAME LABEL level SOURCES... LINK... [TIMEOUT seconds]): a GoogleTest program, every case a ctest with that label.
+# caravan_test(NAME LABEL level SOURCES... LINK... [TIMEOUT seconds] [SLOW]): a GoogleTest program, every case a ctest with that label;
+# with SLOW the label is <level>-slow: gtest_discover_tests takes one label only.
 function(caravan_test name)
-  cmake_parse_arguments(arg "" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "SLOW" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 60)
   endif()
@@ -16,6 +17,10 @@ function(caravan_test name)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_compile_definitions(${name} PRIVATE
     CARAVAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CARAVAN_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+  set(label ${arg_LABEL})
+  if(arg_SLOW)
+    string(APPEND label -slow)
+  endif()
   gtest_discover_tests(${name} TEST_PREFIX "${arg_LABEL}." DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS ${arg_LABEL} TIMEOUT ${arg_TIMEOUT})
+    PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT})
 endfunction()

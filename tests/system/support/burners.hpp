@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <sys/types.h>
+
+#include <vector>
+
+namespace caravan::test {
+
+/// Keeps every core busy with a process that computes for nothing, while this lives.
+class Burners {
+ public:
+  Burners();
+  ~Burners();
+  Burners(const Burners&) = delete;
+  Burners& operator=(const Burners&) = delete;
+
+ private:
+  std::vector<pid_t> pids_;
+};
+
+}  // namespace caravan::test

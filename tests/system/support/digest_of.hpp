@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace caravan::test {
+
+/// Where a run's parts are put, as options of `caravan run`.
+struct Placement {
+  std::string name;
+  std::vector<std::string> options;
+  int repetitions = 1;
+};
+
+void PrintTo(const Placement& placement, std::ostream* out);
+
+inline const std::vector<std::string> kEmbedded{"--engine", "embedded"};
+
+[[nodiscard]] inline std::string name_of_placement(const testing::TestParamInfo<Placement>& info) {
+  return info.param.name;
+}
+
+/// Runs the scenario and gives the digest of the run, empty when it was disturbed or failed.
+[[nodiscard]] std::string digest_of(const std::string& scenario_name,
+                                    const std::vector<std::string>& placement,
+                                    const std::vector<std::string>& experiment);
+
+}  // namespace caravan::test
