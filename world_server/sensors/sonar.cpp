@@ -8,6 +8,7 @@
 namespace caravan::world {
 namespace {
 
+constexpr double kRounding = 1e-6;
 constexpr double kNoEcho = std::numeric_limits<double>::infinity();
 
 /// Of the farthest transducer from the base.
@@ -51,17 +52,15 @@ Sonars::Sonars(const WorldConfig& config)
     transducers_[i] = {mount.place, {std::cos(mount.heading_rad), std::sin(mount.heading_rad)}};
   }
   for (const Ray& ray : rays_) floor_echoes_ = floor_echoes_ || -ray.up > echo_cosine_;
-  const double reach = sonar_.range_m + mount_radius();
+  body_radius_ = std::max(length(body_low_), length(body_high_));
+  mount_radius_ = mount_radius();
   for (const Solid& solid : solids_) extents_.push_back(extent_of(solid));
-  solid_map_ = std::make_unique<ReachMap>(config.arena_m, extents_, reach);
-  std::vector<Extent> extents;
+  std::vector<Extent> extents = extents_;
   for (const Face& face : faces_) {
     extents.push_back(extent_of({{face.begin, face.begin + face.length * face.along}, {}, 0.0, 0.0}));
   }
-  face_map_ = std::make_unique<ReachMap>(config.arena_m, extents, reach);
-  extents.clear();
   for (const Disc& disc : discs_) extents.push_back(extent_of({{}, disc.centre, disc.radius, 0.0}));
-  disc_map_ = std::make_unique<ReachMap>(config.arena_m, extents, reach);
+  map_ = std::make_unique<ReachMap>(config.arena_m, extents, sonar_.range_m + mount_radius_);
 }
 
 void Sonars::Nearby::clear() {
@@ -84,88 +83,114 @@ void Sonars::add_sides(const Solid& solid, std::vector<Face>& faces, std::vector
   }
 }
 
-Solid Sonars::body_of(const Pose& pose) const {
-  const double cosine = std::cos(pose.yaw_rad);
-  const double sine = std::sin(pose.yaw_rad);
-  const Point base{pose.x_m, pose.y_m};
-  return {.outline = {placed(body_high_, base, cosine, sine),
-                      placed({body_low_.x, body_high_.y}, base, cosine, sine),
-                      placed(body_low_, base, cosine, sine),
-                      placed({body_high_.x, body_low_.y}, base, cosine, sine)},
-          .centre = {},
-          .radius = 0.0,
-          .height = body_height_};
+/// Of a robot's body, counter-clockwise.
+std::array<Point, 4> Sonars::corners_of(std::size_t robot) const {
+  const Point base = bases_[robot];
+  const Point heading = headings_[robot];
+  return {placed(body_high_, base, heading.x, heading.y),
+          placed({body_low_.x, body_high_.y}, base, heading.x, heading.y),
+          placed(body_low_, base, heading.x, heading.y),
+          placed({body_high_.x, body_low_.y}, base, heading.x, heading.y)};
 }
 
 void Sonars::place(std::span<const Pose> poses) {
-  poses_.assign(poses.begin(), poses.end());
-  std::vector<Point> points;
-  for (const Pose& pose : poses) points.push_back({pose.x_m, pose.y_m});
-  const double body = std::max(length(body_low_), length(body_high_));
-  neighbours_.rebuild(points, sonar_.range_m + mount_radius() + body);
+  bases_.clear();
+  headings_.clear();
+  for (const Pose& pose : poses) {
+    bases_.push_back({pose.x_m, pose.y_m});
+    headings_.push_back({std::cos(pose.yaw_rad), std::sin(pose.yaw_rad)});
+  }
+  neighbours_.rebuild(bases_, sonar_.range_m + mount_radius_ + body_radius_);
 }
 
 void Sonars::gather(std::size_t robot) {
-  const Point base{poses_[robot].x_m, poses_[robot].y_m};
-  const double mounts = mount_radius();
+  const Point base = bases_[robot];
   around_.clear();
-  for (const std::uint32_t i : face_map_->near(base)) around_.faces.push_back(faces_[i]);
-  for (const std::uint32_t i : disc_map_->near(base)) around_.discs.push_back(discs_[i]);
   bodies_.clear();
+  gather_static(base);
   others_.clear();
   if (robots_echo_) neighbours_.near(base, others_);
+  bodies_.reserve(others_.size());  // around_ points into it
   for (const std::uint32_t other : others_) {
-    if (other != robot) bodies_.push_back(body_of(poses_[other]));
-  }
-  for (const std::uint32_t i : solid_map_->near(base)) {
-    if (solids_[i].height < kSonarHeight) around_.low.push_back(&solids_[i]);
-    if (is_within(extents_[i], base, mounts)) around_.close.push_back(&solids_[i]);
-  }
-  for (const Solid& body : bodies_) {
-    add_sides(body, around_.faces, around_.discs);
-    if (body.height < kSonarHeight) around_.low.push_back(&body);
-    if (distance_to(body, base) <= mounts) around_.close.push_back(&body);
+    if (other != robot) gather_body(other, base);
   }
 }
 
-/// Keeps in `ahead_` what the cone of a transducer may meet: facing it, in range, and not wholly to one side.
+void Sonars::gather_static(Point base) {
+  for (const std::uint32_t i : map_->near(base)) {
+    if (i < solids_.size()) {
+      if (solids_[i].height < kSonarHeight) around_.low.push_back(&solids_[i]);
+      if (is_within(extents_[i], base, mount_radius_)) around_.close.push_back(&solids_[i]);
+    } else if (i < solids_.size() + faces_.size()) {
+      add_if_visible(faces_[i - solids_.size()], base);
+    } else {
+      around_.discs.push_back(discs_[i - solids_.size() - faces_.size()]);
+    }
+  }
+}
+
+void Sonars::gather_body(std::size_t other, Point base) {
+  const std::array<Point, 4> corners = corners_of(other);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point side = corners[(i + 1) % corners.size()] - corners[i];
+    const double side_m = length(side);
+    add_if_visible({corners[i], (1.0 / side_m) * side, side_m, body_height_}, base);
+  }
+  const bool is_low = body_height_ < kSonarHeight;
+  const bool is_close = length(bases_[other] - base) <= body_radius_ + mount_radius_;
+  if (!is_low && !is_close) return;
+  const Solid& body = bodies_.emplace_back(Solid{{corners.begin(), corners.end()}, {}, 0.0, body_height_});
+  if (is_low) around_.low.push_back(&body);
+  if (is_close) around_.close.push_back(&body);
+}
+
+/// Leaves out what no transducer of the robot can see: from behind, or out of range.
+void Sonars::add_if_visible(const Face& face, Point base) {
+  const Point to = face.begin - base;
+  const double before = cross(face.along, to);
+  const double reach = sonar_.range_m + mount_radius_ + kRounding;
+  if (before < -mount_radius_ - kRounding || before > reach) return;
+  const double beside = -dot(to, face.along);
+  if (beside < -reach || beside > face.length + reach) return;
+  around_.faces.push_back(face);
+}
+
+/// Keeps what the cone of a transducer may meet: facing it, in range, and not wholly to one side.
 void Sonars::narrow(Point from, Point axis) {
   const Point left = turned(axis, left_edge_);
   const Point right = turned(axis, {left_edge_.x, -left_edge_.y});
-  ahead_.faces.clear();
-  ahead_.discs.clear();
+  faces_ahead_.clear();
+  discs_ahead_.clear();
   for (const Face& face : around_.faces) {
     const Point a = face.begin - from;
-    const double before = cross(face.along, a);  // distance of `from` in front of the face
+    const double before = cross(face.along, a);
     if (before <= 0.0 || before > sonar_.range_m) continue;
     const Point b = a + face.length * face.along;
     if (cross(left, a) > 0.0 && cross(left, b) > 0.0) continue;
     if (cross(right, a) < 0.0 && cross(right, b) < 0.0) continue;
     if (dot(axis, a) < 0.0 && dot(axis, b) < 0.0) continue;
-    ahead_.faces.push_back(face);
+    faces_ahead_.push_back({a, face.along, before, face.length, face.height});
   }
   for (const Disc& disc : around_.discs) {
     const Point centre = disc.centre - from;
     if (cross(left, centre) > disc.radius || cross(right, centre) < -disc.radius) continue;
     if (dot(axis, centre) < -disc.radius || length(centre) > sonar_.range_m + disc.radius) continue;
-    ahead_.discs.push_back(disc);
+    discs_ahead_.push_back(disc);
   }
 }
 
 Sonars::Hit Sonars::cast(Point from, Ray ray) const {
   Hit hit{.distance = kNoEcho};
   if (ray.up < 0.0) hit = {.distance = kSonarHeight / -ray.up, .cosine = -ray.up};
-  for (const Face& face : ahead_.faces) {
+  for (const FaceAhead& face : faces_ahead_) {
     const double inwards = cross(face.along, ray.flat);
     if (inwards <= 0.0) continue;
-    const Point to = face.begin - from;
-    const double distance = cross(face.along, to) / inwards;
-    if (distance < 0.0 || distance >= hit.distance || kSonarHeight + distance * ray.up > face.height)
-      continue;
-    const double along = dot(distance * ray.flat - to, face.along);
+    const double distance = face.before / inwards;
+    if (distance >= hit.distance || kSonarHeight + distance * ray.up > face.height) continue;
+    const double along = dot(distance * ray.flat - face.to, face.along);
     if (along >= 0.0 && along <= face.length) hit = {distance, inwards};
   }
-  for (const Disc& disc : ahead_.discs) {
+  for (const Disc& disc : discs_ahead_) {
     const Point to = disc.centre - from;
     const double square = dot(ray.flat, ray.flat);
     const double half = dot(to, ray.flat);
@@ -189,7 +214,7 @@ double Sonars::listen(Point from, Point axis) {
     if (solid->height >= kSonarHeight && contains(*solid, from)) return 0.0;
   }
   narrow(from, axis);
-  if (ahead_.faces.empty() && ahead_.discs.empty() && !floor_echoes_) return kNoEcho;
+  if (faces_ahead_.empty() && discs_ahead_.empty() && !floor_echoes_) return kNoEcho;
   double nearest = kNoEcho;
   for (const Ray& ray : rays_) {
     const Hit hit = cast(from, {turned(ray.flat, axis), ray.up});
@@ -201,13 +226,12 @@ double Sonars::listen(Point from, Point axis) {
 
 std::array<double, kSonarCount> Sonars::ranges(std::size_t robot) {
   gather(robot);
-  const Pose& pose = poses_[robot];
-  const Point heading{std::cos(pose.yaw_rad), std::sin(pose.yaw_rad)};
+  const Point base = bases_[robot];
+  const Point heading = headings_[robot];
   std::array<double, kSonarCount> result{};
   for (std::size_t i = 0; i < kSonarCount; ++i) {
     const Transducer& one = transducers_[i];
-    result[i] =
-        listen(placed(one.place, {pose.x_m, pose.y_m}, heading.x, heading.y), turned(heading, one.axis));
+    result[i] = listen(placed(one.place, base, heading.x, heading.y), turned(heading, one.axis));
   }
   return result;
 }

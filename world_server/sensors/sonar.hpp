@@ -43,7 +43,15 @@ class Sonars {
     double radius = 0.0;
     double height = 0.0;
   };
-  /// What may matter to one robot, or to one of its transducers.
+  /// A face as one transducer sees it.
+  struct FaceAhead {
+    Point to;             // its beginning
+    Point along;          // unit
+    double before = 0.0;  // distance of the transducer in front of it
+    double length = 0.0;
+    double height = 0.0;
+  };
+  /// What may matter to one robot.
   struct Nearby {
     std::vector<Face> faces;
     std::vector<Disc> discs;
@@ -57,8 +65,11 @@ class Sonars {
   };
 
   static void add_sides(const Solid& solid, std::vector<Face>& faces, std::vector<Disc>& discs);
-  [[nodiscard]] Solid body_of(const Pose& pose) const;
+  [[nodiscard]] std::array<Point, 4> corners_of(std::size_t robot) const;
   void gather(std::size_t robot);
+  void gather_static(Point base);
+  void gather_body(std::size_t other, Point base);
+  void add_if_visible(const Face& face, Point base);
   void narrow(Point from, Point axis);
   [[nodiscard]] double listen(Point from, Point axis);
   [[nodiscard]] Hit cast(Point from, Ray ray) const;
@@ -67,6 +78,8 @@ class Sonars {
   bool robots_echo_;
   Point body_low_;  // the hull in frame B
   Point body_high_;
+  double body_radius_ = 0.0;   // of its farthest corner
+  double mount_radius_ = 0.0;  // of the farthest transducer
   double body_height_ = 0.0;
   struct Transducer {
     Point place;  // in frame B
@@ -82,17 +95,17 @@ class Sonars {
   std::vector<Extent> extents_;  // of the solids
   std::vector<Face> faces_;
   std::vector<Disc> discs_;
-  std::unique_ptr<ReachMap> solid_map_;
-  std::unique_ptr<ReachMap> face_map_;
-  std::unique_ptr<ReachMap> disc_map_;
+  std::unique_ptr<ReachMap> map_;  // of solids, then faces, then discs
 
-  std::vector<Pose> poses_;
+  std::vector<Point> bases_;     // of the robots
+  std::vector<Point> headings_;  // unit
   Neighbours neighbours_;
   // Scratch of the robot and the transducer at hand.
   std::vector<std::uint32_t> others_;
-  std::vector<Solid> bodies_;
+  std::vector<Solid> bodies_;  // those that are low or close
   Nearby around_;
-  Nearby ahead_;
+  std::vector<FaceAhead> faces_ahead_;
+  std::vector<Disc> discs_ahead_;
 };
 
 }  // namespace caravan::world
