@@ -158,6 +158,13 @@ int main(int argc, char** argv) {
   app.add_option("--receiving-share", options.receiving_share,
                  "Share of the robots that hear something in a step")
       ->check(CLI::Range(0.0, 1.0));
-  CLI11_PARSE(app, argc, argv);
-  std::printf("%.0f\n", steps_per_second(options));
+  try {
+    app.parse(argc, argv);
+    std::printf("%.0f\n", steps_per_second(options));
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
 }

@@ -23,7 +23,10 @@ Config street() {
 LineWorld street_with_robots(const Config& config, int robots) {
   LineWorld world{config};
   world.add_walls(rectangle({0, 0}, 26, 6));
-  for (int i = 0; i < robots; ++i) world.add_robot({-11.5 + 0.9 * (i % 5), -1.5 + 1.5 * (i / 5)}, 0.3 * i);
+  for (int i = 0; i < robots; ++i) {
+    const int row = i / 5;
+    world.add_robot({-11.5 + 0.9 * (i % 5), -1.5 + 1.5 * row}, 0.3 * i);
+  }
   return world;
 }
 
@@ -72,7 +75,10 @@ TEST(Traffic, AFullExchangingSwarmGetsOnePathAndDelivers) {
   LineWorld world{config};
   world.add_walls(rectangle({0, 0}, 22, 22));
   world.add_walls(rectangle({0, 0}, 8, 8, 0.785));
-  for (int i = 0; i < 8; ++i) world.add_robot({-10.0 + 1.0 * (i % 4), -10.0 + 1.2 * (i / 4)}, 0.4 * i);
+  for (int i = 0; i < 8; ++i) {
+    const int row = i / 4;
+    world.add_robot({-10.0 + 1.0 * (i % 4), -10.0 + 1.2 * row}, 0.4 * i);
+  }
   world.run_for(1500.0);
   int received = 0;
   for (std::size_t i = 0; i < 8; ++i) {

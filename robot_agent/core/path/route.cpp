@@ -2,6 +2,7 @@
 #include "robot_agent/core/path/route.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "robot_agent/core/path/following.hpp"
 #include "robot_agent/core/path/recording.hpp"
@@ -53,9 +54,9 @@ double Route::off_path_m(const Point& p_WB) const {
 double Route::remaining_m(const Point& p_WB) const {
   double sum = to_end_m_[next_];
   Point from = p_WB;
-  for (auto point = back_.rbegin(); point != back_.rend(); ++point) {
-    sum += (*point - from).norm();
-    from = *point;
+  for (const Point& point : std::ranges::reverse_view(back_)) {
+    sum += (point - from).norm();
+    from = point;
   }
   return sum + (plan_[next_] - from).norm();
 }
@@ -108,7 +109,7 @@ void Route::shorten(const Point& p_WB, std::size_t candidate, double spacing_m) 
 
 Route::Ends Route::restore(const Point& p_WB) {
   CARAVAN_ASSERT(provisional_.has_value());
-  const Ends blocked = provisional_->latest;
+  Ends blocked = provisional_->latest;
   // Back on what was driven of the shortcut, to the vertex where it left the old path.
   const auto first = plan_.begin() + static_cast<std::ptrdiff_t>(provisional_->first);
   std::vector<Point> back(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "runtime/pure/assert.hpp"
 
@@ -75,9 +76,10 @@ Path with_shortcut(const Ahead& ahead, const Point& at, std::size_t candidate, d
   next = path.size();
   const Point to = ahead.plan[candidate];
   const double distance = (to - from).norm();
-  const double pieces = std::max(1.0, std::round(distance / spacing_m));
-  for (double piece = 1.0; piece < pieces; ++piece) {
-    path.push_back(on_grid(from + (piece / pieces) * (to - from)));
+  const auto pieces = std::max<std::int64_t>(1, std::llround(distance / spacing_m));
+  for (std::int64_t piece = 1; piece < pieces; ++piece) {
+    const double part = static_cast<double>(piece) / static_cast<double>(pieces);
+    path.push_back(on_grid(from + part * (to - from)));
   }
   last = path.size();
   path.insert(path.end(), ahead.plan.begin() + static_cast<std::ptrdiff_t>(candidate), ahead.plan.end());
