@@ -6,10 +6,14 @@
 
 int main(int argc, char** argv) {
   using namespace caravan;
+  std::vector<std::string> trace_file;
   const runtime::Program program{
-      .name = "radio_emulator", .purpose = "The emulated radio: who hears which frame, by range and channel"};
+      .name = "radio_emulator",
+      .purpose = "The emulated radio: who hears which frame, by range and channel",
+      .texts = {
+          {"--trace", "File that receives what each step adds to the radio's hash chain", &trace_file}}};
   return runtime::run_process(
-      program, argc, argv, [](const runtime::Start& start, runtime::Loop& loop) -> int {
+      program, argc, argv, [&](const runtime::Start& start, runtime::Loop& loop) -> int {
         const runtime::TomlDocument scenario = runtime::TomlDocument::load(start.scenario);
         const radio::MediumConfig config = radio::load_radio_config(scenario);
         const std::uint32_t robots = runtime::read_robots(scenario).count;
@@ -18,6 +22,7 @@ int main(int argc, char** argv) {
                                      .domain = start.domain,
                                      .lease_s = start.lease_s,
                                      .transport = start.transport};
-        return radio::RadioShell{config, robots, bus, loop}.run();
+        auto trace = runtime::open_trace(trace_file, runtime::kRadioTrace, robots);
+        return radio::RadioShell{config, robots, bus, std::move(trace), loop}.run();
       });
 }

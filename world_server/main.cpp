@@ -5,19 +5,23 @@
 int main(int argc, char** argv) {
   using namespace caravan;
   std::vector<std::string> awaited;
+  std::vector<std::string> trace_file;
   const runtime::Program program{
       .name = "world_server",
       .purpose = "The emulated world: physics, sensors, items and the step barrier",
-      .texts = {{"--await", "Observer without which the run does not start", &awaited}}};
-  return runtime::run_process(program, argc, argv,
-                              [&](const runtime::Start& start, runtime::Loop& loop) -> int {
-                                const world::WorldConfig config =
-                                    world::load_world_config(runtime::TomlDocument::load(start.scenario));
-                                if (start.check_only) return runtime::kDone;
-                                const runtime::BusConfig bus{.role = "world_server",
-                                                             .domain = start.domain,
-                                                             .lease_s = start.lease_s,
-                                                             .transport = start.transport};
-                                return world::WorldShell{config, bus, awaited, loop}.run();
-                              });
+      .texts = {
+          {"--await", "Observer without which the run does not start", &awaited},
+          {"--trace", "File that receives what each step adds to the world's hash chain", &trace_file}}};
+  return runtime::run_process(
+      program, argc, argv, [&](const runtime::Start& start, runtime::Loop& loop) -> int {
+        const world::WorldConfig config =
+            world::load_world_config(runtime::TomlDocument::load(start.scenario));
+        if (start.check_only) return runtime::kDone;
+        const runtime::BusConfig bus{.role = "world_server",
+                                     .domain = start.domain,
+                                     .lease_s = start.lease_s,
+                                     .transport = start.transport};
+        auto trace = runtime::open_trace(trace_file, runtime::kWorldTrace, config.robots.count);
+        return world::WorldShell{config, bus, awaited, std::move(trace), loop}.run();
+      });
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "runtime/pure/assert.hpp"
+#include "runtime/pure/canonical_bytes.hpp"
 #include "runtime/pure/hash_chain.hpp"
 #include "world_server/physics/dynamics.hpp"
 #include "world_server/referee/contact_episodes.hpp"
@@ -47,10 +48,10 @@ struct World::Impl {
     const auto event = items.grip(robot, dynamics.poses()[robot - 1], done.gripper_closed);
     if (event) item_events.push_back(*event);
     dynamics.drive(robot - 1, done.left_mps, done.right_mps);
-    chain.word(command.has_value() ? 1 : 0);
-    chain.real(done.left_mps);
-    chain.real(done.right_mps);
-    chain.word(done.gripper_closed ? 1 : 0);
+    link.word(command.has_value() ? 1 : 0);
+    link.real(done.left_mps);
+    link.real(done.right_mps);
+    link.word(done.gripper_closed ? 1 : 0);
   }
 
   void referee() {
@@ -59,11 +60,19 @@ struct World::Impl {
     begun = contacts.begun(now(), touching);
   }
 
-  void link_poses() {
+  /// Where in the link the bytes of what comes now begin: at its front, or behind the robots that were placed
+  /// since the last step.
+  std::size_t begin_link() {
+    if (link_whole) link.clear();
+    link_whole = false;
+    return link.view().size();
+  }
+
+  void write_poses() {
     for (const Pose& pose : dynamics.poses()) {
-      chain.real(pose.x_m);
-      chain.real(pose.y_m);
-      chain.real(pose.yaw_rad);
+      link.real(pose.x_m);
+      link.real(pose.y_m);
+      link.real(pose.yaw_rad);
     }
   }
 
@@ -79,6 +88,8 @@ struct World::Impl {
   std::vector<Devices> devices;  // by robot
   Items items;
   ContactEpisodes contacts;
+  pure::CanonicalBytes link;  // of the last step, or of the next as far as it is known
+  bool link_whole = false;    // its step has been taken
   pure::HashChain chain;
   std::vector<ItemEvent> item_events;
   std::vector<ContactEpisode> touching;
@@ -111,10 +122,13 @@ std::span<const Pose> World::poses() const { return impl_->dynamics.poses(); }
 void World::advance(std::span<const std::optional<Command>> commands) {
   CARAVAN_ASSERT(commands.size() == impl_->count);
   impl_->item_events.clear();
-  impl_->chain.word(++impl_->step);
+  const std::size_t before = impl_->begin_link();
+  impl_->link.word(++impl_->step);
   for (std::uint32_t robot = 1; robot <= impl_->count; ++robot) impl_->obey(robot, commands[robot - 1]);
   impl_->dynamics.advance();
-  impl_->link_poses();
+  impl_->write_poses();
+  impl_->chain.link(impl_->link.view().subspan(before));
+  impl_->link_whole = true;
   impl_->sonars.place(impl_->dynamics.poses());
   impl_->referee();
 }
@@ -125,8 +139,10 @@ std::string World::place(std::uint32_t robot, const Pose& pose) {
   if (!obstacle.empty()) return obstacle;
   impl_->dynamics.place(robot - 1, pose);
   impl_->sonars.place(impl_->dynamics.poses());
-  impl_->chain.word(robot);
-  impl_->link_poses();
+  const std::size_t before = impl_->begin_link();
+  impl_->link.word(robot);
+  impl_->write_poses();
+  impl_->chain.link(impl_->link.view().subspan(before));
   return "";
 }
 
@@ -138,5 +154,6 @@ std::uint32_t World::items_delivered() const { return impl_->items.delivered(); 
 std::uint64_t World::empty_closings() const { return impl_->items.empty_closings(); }
 bool World::finished() const { return impl_->items.all_delivered() || impl_->now() >= impl_->max_time; }
 std::uint64_t World::chain() const { return impl_->chain.value(); }
+std::span<const std::uint8_t> World::chain_link() const { return impl_->link.view(); }
 
 }  // namespace caravan::world

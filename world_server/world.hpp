@@ -46,6 +46,9 @@ class World {
   [[nodiscard]] bool finished() const;                 ///< all items delivered, or the time is over
   /// Hash over the commands and poses of every step taken.
   [[nodiscard]] std::uint64_t chain() const;
+  /// What the last step, and robots placed before it, added to the chain, as docs/digest.md orders it. To be
+  /// read between an advance() and what follows it.
+  [[nodiscard]] std::span<const std::uint8_t> chain_link() const;
 
  private:
   struct Impl;

@@ -52,6 +52,7 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
       ->check(CLI::Range(1U, 65535U))
       ->capture_default_str();
   run.add_option("--out", command.out, "Folder for the results; must be new or empty");
+  run.add_flag("--trace", command.trace, "Record everything that goes into the digest, for `caravan diff`");
   run.add_flag("--quiet", command.quiet, "No progress, no result table");
   run.add_flag("--report", command.report, "Draw the report of the run when it has ended");
 }
@@ -106,6 +107,10 @@ Command read_command_line(int argc, const char* const* argv) {
   std::string engine = "dds";
   CLI::App* run = app.add_subcommand("run", "Run a scenario and report its result");
   add_run_options(*run, run_command, engine);
+  DiffCommand diff_command;
+  CLI::App* diff = app.add_subcommand("diff", "Name the first difference between two runs with --trace");
+  diff->add_option("one", diff_command.one, "Folder of a run")->required();
+  diff->add_option("other", diff_command.other, "Folder of another run")->required();
   SweepCommand sweep_command;
   CLI::App* sweep = app.add_subcommand("sweep", "Run a scenario with many seeds and modes");
   add_sweep_options(*sweep, sweep_command);
@@ -130,6 +135,7 @@ Command read_command_line(int argc, const char* const* argv) {
   }
   run_command.embedded = engine == "embedded";
   if (check->parsed()) return check_command;
+  if (diff->parsed()) return diff_command;
   if (sweep->parsed()) return sweep_command;
   if (report->parsed()) return report_command;
   if (ctl->parsed()) return ctl_command;

@@ -25,6 +25,7 @@ struct RunCommand {
   runtime::Transport transport = runtime::Transport::kSharedMemory;
   std::uint32_t agents_per_process = 1;
   std::optional<std::filesystem::path> out;
+  bool trace = false;
   bool quiet = false;
   bool report = false;  ///< draw one at the end
 };
@@ -32,6 +33,11 @@ struct RunCommand {
 struct ReportCommand {
   std::vector<std::filesystem::path> folders;
   std::optional<std::filesystem::path> out;
+};
+
+struct DiffCommand {
+  std::filesystem::path one;
+  std::filesystem::path other;
 };
 
 struct SweepCommand {
@@ -60,7 +66,8 @@ struct Exit {
   int code = 0;
 };
 
-using Command = std::variant<CheckCommand, RunCommand, SweepCommand, ReportCommand, CtlCommand, Exit>;
+using Command =
+    std::variant<CheckCommand, RunCommand, DiffCommand, SweepCommand, ReportCommand, CtlCommand, Exit>;
 
 /// What the command line of `caravan` asks for. Errors are one line on standard error and exit code 2.
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);

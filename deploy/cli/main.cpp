@@ -11,6 +11,7 @@
 #include "deploy/metrics/run_directory.hpp"
 #include "deploy/report/write_report.hpp"
 #include "deploy/sweep/run_sweep.hpp"
+#include "deploy/trace/diff_runs.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
 
@@ -35,6 +36,11 @@ int run(const deploy::RunCommand& command) {
   facts.engine = command.embedded ? "embedded" : "dds";
   const auto folder = std::filesystem::absolute(deploy::make_run_directory(command.out, facts));
   deploy::write_whole_file(folder / "scenario.toml", text);
+  std::optional<std::filesystem::path> trace;
+  if (command.trace) {
+    trace = folder / "trace";
+    std::filesystem::create_directory(*trace);
+  }
   const deploy::RunRequest request{.facts = facts,
                                    .scenario = effective,
                                    .folder = folder,
@@ -42,6 +48,7 @@ int run(const deploy::RunCommand& command) {
                                    .domain = command.domain,
                                    .transport = command.transport,
                                    .agents_per_process = command.agents_per_process,
+                                   .trace = trace,
                                    .quiet = command.quiet,
                                    .loop = loop};
   const int code = command.embedded ? deploy::run_embedded(request) : deploy::run_dds(request);
@@ -69,6 +76,7 @@ int sweep(const deploy::SweepCommand& command) {
 int obey(const deploy::Exit& exit) { return exit.code; }
 int obey(const deploy::CheckCommand& command) { return check(command); }
 int obey(const deploy::RunCommand& command) { return run(command); }
+int obey(const deploy::DiffCommand& command) { return deploy::diff_runs(command.one, command.other, stdout); }
 int obey(const deploy::SweepCommand& command) { return sweep(command); }
 int obey(const deploy::ReportCommand& command) { return deploy::write_report(command.folders, command.out); }
 int obey(const deploy::CtlCommand& command) {

@@ -95,7 +95,8 @@ void Engine::deliver() {
   const std::int64_t stamp = world_.now().count();
   auto receptions =
       radio::deliver(medium_, static_cast<std::uint64_t>(stamp), stations_, transmissions_, drops_);
-  radio::chain_step(radio_chain_, stamp, transmissions_, receptions);
+  radio_link_ = radio::chain_link(stamp, transmissions_, receptions);
+  radio_chain_.link(radio_link_.view());
   for (radio::Reception& reception : receptions) inputs_[reception.robot - 1].heard = to_heard(reception);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "radio_emulator/medium/medium.hpp"
 #include "robot_agent/core/agent.hpp"
 #include "runtime/config/toml_table.hpp"
+#include "runtime/pure/canonical_bytes.hpp"
 #include "runtime/pure/hash_chain.hpp"
 #include "world_server/world.hpp"
 
@@ -33,6 +35,9 @@ class Engine {
   [[nodiscard]] bool finished() const { return world_.finished(); }
   [[nodiscard]] Time now() const { return world_.now(); }
   [[nodiscard]] std::string digest() const;
+  /// What the last step added to the world's and to the radio's hash chain; valid until the next.
+  [[nodiscard]] std::span<const std::uint8_t> world_link() const { return world_.chain_link(); }
+  [[nodiscard]] std::span<const std::uint8_t> radio_link() const { return radio_link_.view(); }
   [[nodiscard]] const TimeSplit& time_split() const { return time_split_; }
   [[nodiscard]] Refusals refusals() const;
 
@@ -50,6 +55,7 @@ class Engine {
   std::vector<std::optional<world::Command>> commands_;
   std::vector<radio::Station> stations_;
   std::vector<radio::Transmission> transmissions_;
+  pure::CanonicalBytes radio_link_;  // of the last step
   pure::HashChain radio_chain_;
   radio::Drops drops_;
   Refusals refusals_;  // of commands

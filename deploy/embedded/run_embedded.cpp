@@ -7,6 +7,7 @@
 #include "deploy/embedded/stopwatch.hpp"
 #include "deploy/metrics/run_record.hpp"
 #include "runtime/scenario/shared_tables.hpp"
+#include "runtime/trace/trace_file.hpp"
 
 namespace caravan::deploy {
 namespace {
@@ -37,11 +38,33 @@ class Pace {
   Clock::time_point asked_{};
 };
 
+/// The run's trace, when one is asked for.
+class Trace {
+ public:
+  explicit Trace(const RunRequest& request) {
+    if (!request.trace) return;
+    world_.emplace(world_trace_in(*request.trace), runtime::kWorldTrace, request.facts.robots);
+    radio_.emplace(radio_trace_in(*request.trace), runtime::kRadioTrace, request.facts.robots);
+  }
+  void record(const Engine& engine) {
+    if (!world_) return;
+    world_->record(engine.world_link());
+    radio_->record(engine.radio_link());
+    world_->keep_up();
+    radio_->keep_up();
+  }
+
+ private:
+  std::optional<runtime::TraceFile> world_;
+  std::optional<runtime::TraceFile> radio_;
+};
+
 }  // namespace
 
 int run_embedded(const RunRequest& request) {
   Engine engine{request.scenario};
   RunRecord record{request.facts, request.folder, request.quiet ? nullptr : stdout};
+  Trace trace{request};
   Pace pace{request.loop, runtime::read_experiment(request.scenario).pacing != runtime::Pacing::kFast};
   const auto so_far = [&] {
     RunEnd end;
@@ -54,6 +77,7 @@ int run_embedded(const RunRequest& request) {
   bool stopped = false;
   while (!engine.finished() && !stopped) {
     record.observe(engine.step());
+    trace.record(engine);
     record.keep_up(so_far);
     stopped = !pace.wait_for(engine.now());
   }

@@ -21,8 +21,18 @@ struct RunRequest {
   std::optional<std::uint32_t> domain;  ///< DDS domain asked for; none: a free one
   runtime::Transport transport = runtime::Transport::kSharedMemory;
   std::uint32_t agents_per_process = 1;
+  std::optional<std::filesystem::path>
+      trace;  ///< folder, existing, for the trace of every step; none: no trace
   bool quiet = false;
   runtime::Loop& loop;  ///< says when SIGINT or SIGTERM came
 };
+
+/// The two files of a trace.
+[[nodiscard]] inline std::filesystem::path world_trace_in(const std::filesystem::path& folder) {
+  return folder / "world.trace";
+}
+[[nodiscard]] inline std::filesystem::path radio_trace_in(const std::filesystem::path& folder) {
+  return folder / "radio.trace";
+}
 
 }  // namespace caravan::deploy

@@ -113,8 +113,14 @@ void DdsRun::start_everybody() {
     std::printf("DDS domain %u, logs in %s\n", lock_.domain(), (request_.folder / "logs").c_str());
     std::fflush(stdout);
   }
-  start("world_server", "world_server", {"--await", kObserverName});
-  start("radio_emulator", "radio_emulator", {});
+  std::vector<std::string> of_world = {"--await", kObserverName};
+  std::vector<std::string> of_radio;
+  if (request_.trace) {
+    of_world.insert(of_world.end(), {"--trace", world_trace_in(*request_.trace)});
+    of_radio = {"--trace", radio_trace_in(*request_.trace)};
+  }
+  start("world_server", "world_server", of_world);
+  start("radio_emulator", "radio_emulator", of_radio);
   const std::uint32_t robots = request_.facts.robots;
   for (std::uint32_t first = 1; first <= robots; first += request_.agents_per_process) {
     start_agents(first, std::min(robots, first + request_.agents_per_process - 1));

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "deploy/metrics/run_directory.hpp"
+#include "deploy/metrics/text_file.hpp"
 #include "deploy/sweep/quantities.hpp"
-#include "deploy/sweep/text_file.hpp"
 #include "runtime/config/start_error.hpp"
 
 namespace caravan::deploy {

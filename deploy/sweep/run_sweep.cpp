@@ -11,12 +11,12 @@
 
 #include "deploy/launcher/children.hpp"
 #include "deploy/metrics/csv_file.hpp"
+#include "deploy/metrics/text_file.hpp"
 #include "deploy/sweep/quantities.hpp"
 #include "deploy/sweep/run_row.hpp"
 #include "deploy/sweep/sweep_folder.hpp"
 #include "deploy/sweep/sweep_progress.hpp"
 #include "deploy/sweep/sweep_tables.hpp"
-#include "deploy/sweep/text_file.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
 

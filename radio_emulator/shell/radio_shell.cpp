@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <limits>
+#include <utility>
 
 #include "idl/stamp.hpp"
 #include "radio_emulator/medium/chain.hpp"
@@ -16,8 +17,9 @@ using runtime::ParticipantId;
 using namespace std::chrono_literals;
 
 RadioShell::RadioShell(const MediumConfig& config, std::uint32_t robots, const runtime::BusConfig& bus,
-                       runtime::Loop& loop)
+                       std::unique_ptr<runtime::TraceFile> trace, runtime::Loop& loop)
     : config_{config},
+      trace_{std::move(trace)},
       loop_{loop},
       robots_(robots),
       control_{robots},
@@ -59,6 +61,7 @@ bool RadioShell::follow_session(std::uint64_t session) {
   next_step_ = 0;
   control_ = RadioControl{static_cast<std::uint32_t>(robots_.size())};
   chain_ = {};
+  if (trace_) trace_->restart();
   for (Robot& robot : robots_) {
     robot.sent_at.reset();
     robot.pending.tuned = 0;
@@ -154,7 +157,9 @@ void RadioShell::evaluate(bool in_time) {
   const Time stamp = idl::to_time(open_->stamp());
   const std::vector<Reception> receptions = deliver(config_, static_cast<std::uint64_t>(stamp.count()),
                                                     stations, transmissions, drops_, control_.rules());
-  chain_step(chain_, stamp.count(), transmissions, receptions);
+  const pure::CanonicalBytes link = chain_link(stamp.count(), transmissions, receptions);
+  chain_.link(link.view());
+  if (trace_) trace_->record(link.view());
   compute_ += std::chrono::steady_clock::now() - began;
   ++steps_;
   if (in_time) {
@@ -190,10 +195,11 @@ void RadioShell::publish_receptions(const std::vector<Reception>& receptions,
 
 int RadioShell::run() {
   for (;;) {
-    if (loop_.wait(std::chrono::steady_clock::now() + 1s) == runtime::Loop::Woken::kStop)
+    if (loop_.wait(std::chrono::steady_clock::now() + 500ms) == runtime::Loop::Woken::kStop)
       return runtime::kDone;
     const std::lock_guard lock{mutex_};
     publish_status();
+    if (trace_) trace_->keep_up();
   }
 }
 

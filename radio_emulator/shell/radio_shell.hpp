@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/pure/hash_chain.hpp"
+#include "runtime/trace/trace_file.hpp"
 #include "worldPubSubTypes.h"
 
 namespace caravan::radio {
@@ -25,8 +27,9 @@ namespace caravan::radio {
 /// with what it has when the next truth comes (free pacing, or a world that stopped waiting).
 class RadioShell {
  public:
+  /// @param trace  receives what each step adds to the radio's hash chain; null: nobody does
   RadioShell(const MediumConfig& config, std::uint32_t robots, const runtime::BusConfig& bus,
-             runtime::Loop& loop);
+             std::unique_ptr<runtime::TraceFile> trace, runtime::Loop& loop);
   ~RadioShell();
   RadioShell(const RadioShell&) = delete;
   RadioShell& operator=(const RadioShell&) = delete;
@@ -60,6 +63,7 @@ class RadioShell {
   void publish_status();
 
   const MediumConfig config_;
+  const std::unique_ptr<runtime::TraceFile> trace_;
   runtime::Loop& loop_;
 
   std::mutex mutex_;

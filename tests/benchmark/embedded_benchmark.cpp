@@ -13,6 +13,7 @@
 #include "deploy/embedded/engine.hpp"
 #include "radio_emulator/medium/chain.hpp"
 #include "robot_agent/core/agent.hpp"
+#include "runtime/pure/hash_chain.hpp"
 #include "tests/benchmark/recorded_run.hpp"
 #include "world_server/physics/dynamics.hpp"
 #include "world_server/sensors/sonar.hpp"
@@ -77,7 +78,7 @@ void radio_medium(benchmark::State& state) {
       [&](const RecordedRun& run, std::size_t i) {
         const RecordedStep& step = run.steps[i];
         const auto receptions = radio::deliver(run.radio, i, step.stations, step.transmissions, drops);
-        radio::chain_step(chain, 0, step.transmissions, receptions);
+        chain.link(radio::chain_link(0, step.transmissions, receptions).view());
       });
   benchmark::DoNotOptimize(chain.value());
 }

@@ -132,6 +132,7 @@ void WorldShell::advance() {
     if (command && control_.is_held(robot)) command->left_mps = command->right_mps = 0.0;
   }
   world_.advance(commands_);
+  if (trace_) trace_->record(world_.chain_link());
   if (config_.experiment.pacing != Pacing::kFree) commands_.assign(commands_.size(), std::nullopt);
   phase_ = Phase::kAdvanced;
 }

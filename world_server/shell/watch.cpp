@@ -41,6 +41,7 @@ void WorldShell::watch(Wall now) {
   if (now >= status_due_) {
     name_the_late(now);
     publish_status(now);
+    if (trace_) trace_->keep_up();
   }
 }
 

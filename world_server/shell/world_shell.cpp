@@ -2,6 +2,7 @@
 #include "world_server/shell/world_shell.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "runtime/pure/hash_chain.hpp"
 
@@ -36,11 +37,13 @@ ControlConfig control_config(const WorldConfig& config) {
 }  // namespace
 
 WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
-                       const std::vector<std::string>& awaited, runtime::Loop& loop)
+                       const std::vector<std::string>& awaited, std::unique_ptr<runtime::TraceFile> trace,
+                       runtime::Loop& loop)
     : config_{config},
       loop_{loop},
       session_{new_session()},
       period_{period_of(config)},
+      trace_{std::move(trace)},
       world_{config},
       barrier_{barrier_config(config)},
       control_{control_config(config)},

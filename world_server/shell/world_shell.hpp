@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "robotPubSubTypes.h"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
+#include "runtime/trace/trace_file.hpp"
 #include "worldPubSubTypes.h"
 #include "world_server/barrier/barrier.hpp"
 #include "world_server/control/control.hpp"
@@ -32,8 +34,10 @@ inline constexpr Time kDeadman = std::chrono::milliseconds{600};
 class WorldShell {
  public:
   /// @param awaited observers (by the name in their credit) without which the run does not start
+  /// @param trace   receives what each step adds to the world's hash chain; null: nobody does
   WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
-             const std::vector<std::string>& awaited, runtime::Loop& loop);
+             const std::vector<std::string>& awaited, std::unique_ptr<runtime::TraceFile> trace,
+             runtime::Loop& loop);
   ~WorldShell();
   WorldShell(const WorldShell&) = delete;
   WorldShell& operator=(const WorldShell&) = delete;
@@ -80,6 +84,7 @@ class WorldShell {
   runtime::Loop& loop_;
   const std::uint64_t session_;
   const Time period_;
+  const std::unique_ptr<runtime::TraceFile> trace_;
 
   std::mutex mutex_;
   World world_;

@@ -35,6 +35,7 @@ TEST(CommandLine, ARunWithoutOptionsChangesNothingAndUsesDds) {
   EXPECT_FALSE(run.embedded);
   EXPECT_FALSE(run.quiet);
   EXPECT_FALSE(run.report);
+  EXPECT_FALSE(run.trace);
   EXPECT_EQ(run.overrides.mode, std::nullopt);
   EXPECT_EQ(run.overrides.seed, std::nullopt);
   EXPECT_EQ(run.domain, std::nullopt);
@@ -58,7 +59,7 @@ TEST(CommandLine, TakesEveryOptionOfARun) {
             "--seed",     "9",          "--robots", "5",           "--items",  "0",
             "--max-time", "90.5",       "--pacing", "realtime",    "--domain", "12",
             "--out",      "/tmp/x",     "--quiet",  "--transport", "udp",      "--agents-per-process",
-            "8",          "--report"});
+            "8",          "--report",   "--trace"});
 
   const auto& run = std::get<RunCommand>(command);
   EXPECT_TRUE(run.embedded);
@@ -74,6 +75,7 @@ TEST(CommandLine, TakesEveryOptionOfARun) {
   EXPECT_EQ(run.agents_per_process, 8U);
   EXPECT_TRUE(run.quiet);
   EXPECT_TRUE(run.report);
+  EXPECT_TRUE(run.trace);
 }
 
 TEST(CommandLine, TakesEveryOptionOfASweep) {
@@ -107,6 +109,12 @@ TEST(CommandLine, ASweepIsEmbeddedAndSharesTheProcessorsUnlessToldOtherwise) {
   EXPECT_FALSE(sweep.summarise);
 }
 
+TEST(CommandLine, ComparesTwoRuns) {
+  const auto command = read({"diff", "runs/a", "runs/b"});
+  EXPECT_EQ(std::get<DiffCommand>(command).one, "runs/a");
+  EXPECT_EQ(std::get<DiffCommand>(command).other, "runs/b");
+}
+
 TEST(CommandLine, ChecksWithoutRunning) {
   const auto command = read({"check", "small.toml"});
   EXPECT_EQ(std::get<CheckCommand>(command).scenario, "small.toml");
@@ -120,6 +128,7 @@ TEST(CommandLine, AnswersMistakesWithOneLineThatNamesThem) {
   EXPECT_THAT(complaint({"run", "a.toml", "--seed", "-1"}), testing::HasSubstr("--seed"));
   EXPECT_THAT(complaint({"run", "a.toml", "--robots", "many"}), testing::HasSubstr("--robots"));
   EXPECT_THAT(complaint({"run", "a.toml", "--domain", "233"}), testing::HasSubstr("--domain"));
+  EXPECT_THAT(complaint({"diff", "runs/a"}), testing::HasSubstr("other"));
   EXPECT_THAT(complaint({"sweep", "a.toml"}), testing::HasSubstr("--out"));
   EXPECT_THAT(complaint({"sweep", "a.toml", "--out", "o", "--jobs", "0"}), testing::HasSubstr("--jobs"));
   EXPECT_THAT(complaint({"sweep", "a.toml", "--out", "o", "--summarise", "--task-index", "1"}),

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/pure/hash_chain.hpp"
+
 namespace caravan::radio {
 namespace {
 
@@ -11,7 +13,7 @@ using Receptions = std::vector<Reception>;
 
 std::uint64_t chained(std::int64_t stamp_ns, const Transmissions& sent, const Receptions& heard) {
   pure::HashChain chain;
-  chain_step(chain, stamp_ns, sent, heard);
+  chain.link(chain_link(stamp_ns, sent, heard).view());
   return chain.value();
 }
 
@@ -41,8 +43,8 @@ TEST(MediumChain, ChangesWithEverythingThatHappenedInTheStep) {
 
 TEST(MediumChain, RemembersEarlierSteps) {
   pure::HashChain chain;
-  chain_step(chain, 32, Transmissions{kOne}, Receptions{});
-  chain_step(chain, 64, Transmissions{kTwo}, Receptions{});
+  chain.link(chain_link(32, Transmissions{kOne}, Receptions{}).view());
+  chain.link(chain_link(64, Transmissions{kTwo}, Receptions{}).view());
   EXPECT_NE(chain.value(), chained(64, {kTwo}, {}));
 }
 

@@ -5,8 +5,8 @@
 
 #include <memory>
 
+#include "deploy/metrics/text_file.hpp"
 #include "deploy/sweep/sweep_tables.hpp"
-#include "deploy/sweep/text_file.hpp"
 #include "runtime/config/start_error.hpp"
 #include "tests/unit/sweep/folders.hpp"
 

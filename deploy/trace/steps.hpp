@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+/// One step of a run as docs/digest.md lays it out in bytes.
+namespace caravan::deploy {
+
+struct TracedCommand {
+  bool given = false;  ///< false: none came, the wheels were stopped
+  double left_mps = 0.0;
+  double right_mps = 0.0;
+  bool gripper_closed = false;
+};
+
+struct TracedPose {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double yaw_rad = 0.0;
+};
+
+struct TracedFrame {
+  std::uint64_t channel = 0;
+  std::vector<std::uint8_t> bytes;
+  bool operator==(const TracedFrame&) const = default;
+};
+
+/// A robot that was put elsewhere before the step.
+struct TracedPlacement {
+  std::uint64_t robot = 0;
+  std::vector<TracedPose> poses;  ///< of all robots after it
+};
+
+struct WorldStep {
+  std::vector<TracedPlacement> placements;
+  std::uint64_t number = 0;             ///< from 1
+  std::vector<TracedCommand> commands;  ///< [0] is robot 1
+  std::vector<TracedPose> poses;        ///< after the step
+};
+
+struct TracedTransmission {
+  std::uint64_t tuned = 0;
+  std::vector<TracedFrame> frames;
+};
+
+struct RadioStep {
+  std::uint64_t stamp_ns = 0;                               ///< at which it began
+  std::map<std::uint64_t, TracedTransmission> sent;         ///< by robot
+  std::map<std::uint64_t, std::vector<TracedFrame>> heard;  ///< by robot
+};
+
+/// @throws std::runtime_error when the bytes are not exactly one step of so many robots
+[[nodiscard]] WorldStep read_world_step(std::span<const std::uint8_t> bytes, std::uint32_t robots);
+/// @throws std::runtime_error when the bytes are not exactly one step
+[[nodiscard]] RadioStep read_radio_step(std::span<const std::uint8_t> bytes);
+
+}  // namespace caravan::deploy

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace caravan::deploy {
+
+/// Reads what runtime::TraceFile wrote, step by step.
+class TraceReader {
+ public:
+  /// @param part  runtime::kWorldTrace or kRadioTrace
+  /// @throws runtime::StartError when there is no such file or it is no trace of this part
+  TraceReader(std::filesystem::path file, const std::string& part);
+
+  /// The bytes of the next step in `step`. @return false: no whole step is left
+  bool next(std::vector<std::uint8_t>& step);
+  /// After the last step: a part of one more is there. The process that wrote it was killed.
+  [[nodiscard]] bool cut_off() const { return cut_off_; }
+  [[nodiscard]] std::uint32_t robots() const { return robots_; }
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
+ private:
+  std::filesystem::path file_;
+  std::ifstream in_;
+  std::uint32_t robots_ = 0;
+  bool cut_off_ = false;
+};
+
+}  // namespace caravan::deploy

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/trace/trace_file.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "runtime/config/start_error.hpp"
+
+namespace caravan::runtime {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kFlushPeriod{400};
+constexpr std::size_t kBufferSize = 1U << 18U;
+
+}  // namespace
+
+std::string trace_heading(const std::string& part, std::uint32_t robots) {
+  return "caravan trace 1 " + part + " " + std::to_string(robots) + "\n";
+}
+
+TraceFile::TraceFile(std::filesystem::path file, const std::string& part, std::uint32_t robots)
+    : file_{std::move(file)}, heading_{trace_heading(part, robots)}, buffer_(kBufferSize) {
+  open();
+  if (!out_) throw StartError{file_.string() + ": cannot be written"};
+}
+
+void TraceFile::open() {
+  out_ = std::ofstream{};
+  out_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  out_.open(file_, std::ios::binary | std::ios::trunc);
+  out_ << heading_ << std::flush;
+  flushed_ = Clock::now();
+}
+
+void TraceFile::record(std::span<const std::uint8_t> step) {
+  const auto size = static_cast<std::uint32_t>(step.size());
+  std::array<char, 4> length{};
+  for (std::size_t i = 0; i < 4; ++i) length[i] = static_cast<char>(size >> (8 * i));
+  out_.write(length.data(), length.size());
+  out_.write(reinterpret_cast<const char*>(step.data()), static_cast<std::streamsize>(step.size()));
+}
+
+void TraceFile::restart() { open(); }
+
+void TraceFile::keep_up() {
+  const Clock::time_point now = Clock::now();
+  if (out_ && now - flushed_ < kFlushPeriod) return;
+  flushed_ = now;
+  out_.flush();
+  if (!out_) throw std::runtime_error{file_.string() + ": cannot be written any more"};
+}
+
+std::unique_ptr<TraceFile> open_trace(const std::vector<std::string>& files, const std::string& part,
+                                      std::uint32_t robots) {
+  return files.empty() ? nullptr : std::make_unique<TraceFile>(files.back(), part, robots);
+}
+
+}  // namespace caravan::runtime
