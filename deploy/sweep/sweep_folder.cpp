@@ -12,7 +12,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "deploy/sweep/text_file.hpp"
+#include "deploy/metrics/text_file.hpp"
 #include "runtime/config/start_error.hpp"
 
 namespace caravan::deploy {
@@ -29,10 +29,12 @@ constexpr auto kPatience = 4s;
   throw runtime::StartError{folder.string() + ": " + why + "; choose another --out"};
 }
 
-/// Whether there is anything but our own files whose names begin with a dot.
+/// Whether there is anything but what sweeps make first: logs, and files whose names begin with
+/// a dot.
 bool holds_something(const fs::path& folder) {
   return std::ranges::any_of(fs::directory_iterator{folder}, [](const fs::directory_entry& entry) {
-    return !entry.path().filename().string().starts_with('.');
+    const std::string name = entry.path().filename();
+    return name != "logs" && !name.starts_with('.');
   });
 }
 
