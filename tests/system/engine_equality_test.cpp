@@ -39,7 +39,7 @@ std::string first_difference(const std::string& one, const std::string& other) {
     const bool more = static_cast<bool>(std::getline(ones, here));
     const bool others_more = static_cast<bool>(std::getline(others, there));
     if (here != there || more != others_more) {
-      return "line " + std::to_string(line) + ": " + here + " | " + there;
+      return "line " + std::to_string(line) + ": " + here.append(" | ").append(there);
     }
   }
   return "";
