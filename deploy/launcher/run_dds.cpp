@@ -26,6 +26,8 @@ namespace msg = caravan_interfaces::msg;
 const std::string kObserverName = "launcher";
 constexpr auto kStopPatience = 1000ms;
 constexpr auto kLookPeriod = 250ms;
+constexpr auto kNotePeriod = 2s;  // of the shared memory of those who are starting
+constexpr auto kNotePeriodLater = 10s;
 
 /// One run over DDS, from the first process to the last.
 class DdsRun {
@@ -176,7 +178,7 @@ void DdsRun::follow() {
     look();
     for (const Ended& one : children_.ended()) mourn(one);
     check_start(now);
-    if (now - segments_noted_ > 2s) {
+    if (now - segments_noted_ > (stepped_ ? kNotePeriodLater : kNotePeriod)) {
       for (const pid_t pid : children_.running()) memory_.note(pid);
       segments_noted_ = now;
     }

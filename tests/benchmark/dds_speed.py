@@ -1,66 +1,53 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How fast the lockstep runs over DDS, one process for each agent, against the same messages and barrier over pipes.
+"""How fast the lockstep runs over DDS, against the same messages and barrier over pipes with one process for each agent.
 
-Runs pairs: the pipe floor, then the first simulated minutes of a scenario with `caravan run`, on the same machine one after the
-other, and prints each pair and the medians. `ratio` has the world's physics on the DDS side only; in `ratio, world` the floor's
-world spends the time that physics and sensors took."""
+One table. Each row runs some pairs, a DDS run and then the floor, all rows in turn; medians are printed. `still` has the physics
+left out: the world server's shell around a world that stands still, against pipes alone. `world` is the real world server,
+against pipes whose world spends the time that physics and sensors took in the DDS run beside it."""
 
 import argparse
-import json
 import pathlib
 import statistics
-import subprocess
-import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+from dds_runs import ROOT, Pair, Setting, measure
+
+PLACEMENTS = [Setting(agents_per_process=k, still=still) for still in (True, False) for k in (1, 2, 15)]
+TRANSPORT = [Setting(transport="udp")]
+SIZES = [Setting(robots=n) for n in (1, 5, 30, 60)] + [Setting(robots=60, agents_per_process=10)]
 
 
-def command_line():
+def command_line() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--pairs", type=int, default=5)
-    parser.add_argument("--robots", type=int, default=15)
-    parser.add_argument("--sim-seconds", type=float, default=180.0)
-    parser.add_argument("--scenario", type=pathlib.Path, default=ROOT / "deploy/scenarios/paper.toml")
+    parser.add_argument("--steps", type=int, default=4000)
+    parser.add_argument("--only", choices=["placements", "sizes", "all"], default="all")
     parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin")
     return parser.parse_args()
 
 
-def pipe_steps_per_s(options, world_us=0):
-    line = [options.bin / "pipe_floor", "--robots", str(options.robots), "--world-us", str(world_us)]
-    return float(subprocess.run(line, check=True, capture_output=True, text=True).stdout)
+def show(setting: Setting, pairs: list[Pair]) -> None:
+    def median(name: str) -> float:
+        return statistics.median(getattr(pair, name) for pair in pairs)
+
+    ratios = sorted(pair.ratio for pair in pairs)
+    dds = median("dds")
+    print(f"| {setting.robots} | {setting.agents_per_process} | {setting.transport} | {'still' if setting.still else 'world'} | "
+          f"{dds:.0f} | {dds * 0.032:.1f} | {median('cpu_us'):.0f} | {median('world_us'):.0f} | {median('pipes'):.0f} | "
+          f"**{median('ratio'):.2f}** ({ratios[0]:.2f} to {ratios[-1]:.2f}) |", flush=True)
 
 
-def dds_run(options):
-    with tempfile.TemporaryDirectory() as folder:
-        out = pathlib.Path(folder) / "run"
-        line = [options.bin / "caravan", "run", options.scenario, "--robots", str(options.robots), "--max-time",
-                str(options.sim_seconds), "--quiet", "--out", out]
-        subprocess.run(line, check=False)  # exit code 1: the time ran out, as it must
-        return json.loads((out / "metrics.json").read_text())
-
-
-def main():
+def main() -> None:
     options = command_line()
-    rows = []
-    print(f"{'pipes/s':>9} {'dds/s':>8} {'x real':>7} {'ratio':>6} {'world us':>9} {'pipes+world/s':>14} {'ratio, world':>13}")
+    rows = {"placements": PLACEMENTS, "sizes": SIZES, "all": PLACEMENTS + TRANSPORT + SIZES}[options.only]
+    pairs: dict[Setting, list[Pair]] = {setting: [] for setting in rows}
     for _ in range(options.pairs):
-        pipes = pipe_steps_per_s(options)
-        run = dds_run(options)
-        steps = run["sim_time_s"] / 0.032
-        dds = steps / run["wall_time_s"]
-        world_us = round(1e6 * (run["time_split"]["physics"] + run["time_split"]["sensors"]) / steps)
-        pipes_world = pipe_steps_per_s(options, world_us)
-        row = (pipes, dds, run["real_time_factor"], dds / pipes, world_us, pipes_world, dds / pipes_world)
-        rows.append(row)
-        show(row)
-    print("median of", options.pairs)
-    show([statistics.median(column) for column in zip(*rows)])
-
-
-def show(row):
-    pipes, dds, factor, ratio, world_us, pipes_world, ratio_world = row
-    print(f"{pipes:9.0f} {dds:8.0f} {factor:7.1f} {ratio:6.2f} {world_us:9.0f} {pipes_world:14.0f} {ratio_world:13.2f}")
+        for setting in rows:
+            pairs[setting].append(measure(options.bin, setting, options.steps))
+    print("| robots | agents a process | transport | world | steps/s | x real time | CPU us a step | world us a step | pipes, "
+          "steps/s | DDS / pipes |\n|---|---|---|---|---|---|---|---|---|---|")
+    for setting in rows:
+        show(setting, pairs[setting])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One run over DDS and its floor: what the tables of this folder are made of."""
+
+import contextlib
+import dataclasses
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Iterator
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+STEP_S = 0.032
+RECEIVING_SHARE = 0.3  # of the robots, in each step, in the floor and in still_world.cpp
+
+
+@dataclasses.dataclass(frozen=True)
+class Setting:
+    robots: int = 15
+    agents_per_process: int = 1
+    transport: str = "shm"
+    still: bool = False  # the physics left out
+    scenario: str = "scaling.toml"
+
+
+@dataclasses.dataclass(frozen=True)
+class Pair:
+    """A run and the pipe floor right after it."""
+
+    pipes: float  # steps/s
+    dds: float  # steps/s
+    world_us: float  # physics and sensors, a step
+    cpu_us: float  # of all processes, a step
+
+    @property
+    def ratio(self) -> float:
+        return self.dds / self.pipes
+
+
+def receiving_share(robots: int) -> float:
+    return 2 * round(RECEIVING_SHARE * robots / 2) / robots
+
+
+def pipe_steps_per_s(programs: pathlib.Path, robots: int, steps: int, world_us: float = 0.0) -> float:
+    line = [programs / "pipe_floor", "--robots", str(robots), "--world-us", str(round(world_us)), "--steps", str(steps),
+            "--receiving-share", str(receiving_share(robots))]
+    return float(subprocess.run(line, check=True, capture_output=True, text=True).stdout)
+
+
+@contextlib.contextmanager
+def with_still_world(programs: pathlib.Path) -> Iterator[pathlib.Path]:
+    """The programs in a folder of their own, with still_world in the place of the world server: caravan starts what lies
+    beside it."""
+    with tempfile.TemporaryDirectory() as folder:
+        there = pathlib.Path(folder)
+        for name, source in {"caravan": "caravan", "robot_agent": "robot_agent", "radio_emulator": "radio_emulator",
+                             "world_server": "still_world"}.items():
+            shutil.copy2(programs / source, there / name)
+        yield there
+
+
+def dds_run(programs: pathlib.Path, setting: Setting, steps: int) -> tuple[dict, float]:
+    """metrics.json of a run of so many steps, and the processor time of all its processes, start and end included."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = pathlib.Path(folder) / "run"
+        line = [programs / "caravan", "run", ROOT / "deploy/scenarios" / setting.scenario, "--robots", str(setting.robots),
+                "--items", "0", "--max-time", str(steps * STEP_S), "--agents-per-process", str(setting.agents_per_process),
+                "--transport", setting.transport, "--quiet", "--out", out]
+        before = os.times()
+        subprocess.run(line, check=True)
+        after = os.times()
+        cpu_s = after.children_user + after.children_system - before.children_user - before.children_system
+        return json.loads((out / "metrics.json").read_text()), cpu_s
+
+
+def measure(programs: pathlib.Path, setting: Setting, steps: int) -> Pair:
+    with contextlib.ExitStack() as stack:
+        place = stack.enter_context(with_still_world(programs)) if setting.still else programs
+        run, cpu_s = dds_run(place, setting, steps)
+    world_us = 1e6 * (run["time_split"]["physics"] + run["time_split"]["sensors"]) / steps
+    floor_us = 0.0 if setting.still else world_us
+    pipes = pipe_steps_per_s(programs, setting.robots, steps, floor_us)
+    return Pair(pipes, steps / run["wall_time_s"], world_us, 1e6 * cpu_s / steps)
