@@ -32,7 +32,8 @@ class Pair:
     pipes: float  # steps/s
     dds: float  # steps/s
     world_us: float  # physics and sensors, a step
-    cpu_us: float  # of all processes, a step
+    cpu_us: float  # processor time of all processes, a step
+    pipes_cpu_us: float
 
     @property
     def ratio(self) -> float:
@@ -43,10 +44,20 @@ def receiving_share(robots: int) -> float:
     return 2 * round(RECEIVING_SHARE * robots / 2) / robots
 
 
-def pipe_steps_per_s(programs: pathlib.Path, robots: int, steps: int, world_us: float = 0.0) -> float:
+def cpu_seconds_of(line: list) -> tuple[str, float]:
+    """What a command prints, and the processor time of it and its children."""
+    before = os.times()
+    text = subprocess.run(line, check=True, capture_output=True, text=True).stdout
+    after = os.times()
+    return text, after.children_user + after.children_system - before.children_user - before.children_system
+
+
+def pipe_run(programs: pathlib.Path, robots: int, steps: int, world_us: float) -> tuple[float, float]:
+    """Steps a second, and processor seconds."""
     line = [programs / "pipe_floor", "--robots", str(robots), "--world-us", str(round(world_us)), "--steps", str(steps),
             "--receiving-share", str(receiving_share(robots))]
-    return float(subprocess.run(line, check=True, capture_output=True, text=True).stdout)
+    text, cpu_s = cpu_seconds_of(line)
+    return float(text), cpu_s
 
 
 @contextlib.contextmanager
@@ -68,18 +79,26 @@ def dds_run(programs: pathlib.Path, setting: Setting, steps: int) -> tuple[dict,
         line = [programs / "caravan", "run", ROOT / "deploy/scenarios" / setting.scenario, "--robots", str(setting.robots),
                 "--items", "0", "--max-time", str(steps * STEP_S), "--agents-per-process", str(setting.agents_per_process),
                 "--transport", setting.transport, "--quiet", "--out", out]
-        before = os.times()
-        subprocess.run(line, check=True)
-        after = os.times()
-        cpu_s = after.children_user + after.children_system - before.children_user - before.children_system
+        _, cpu_s = cpu_seconds_of(line)
         return json.loads((out / "metrics.json").read_text()), cpu_s
 
 
-def measure(programs: pathlib.Path, setting: Setting, steps: int) -> Pair:
+@contextlib.contextmanager
+def place_of(programs: pathlib.Path, setting: Setting) -> Iterator[pathlib.Path]:
     with contextlib.ExitStack() as stack:
-        place = stack.enter_context(with_still_world(programs)) if setting.still else programs
+        yield stack.enter_context(with_still_world(programs)) if setting.still else programs
+
+
+def start_cpu_s(programs: pathlib.Path, setting: Setting) -> float:
+    """Processor time of a run that hardly steps: of its start and end."""
+    with place_of(programs, setting) as place:
+        return dds_run(place, setting, 10)[1]
+
+
+def measure(programs: pathlib.Path, setting: Setting, steps: int, start_s: float) -> Pair:
+    with place_of(programs, setting) as place:
         run, cpu_s = dds_run(place, setting, steps)
     world_us = 1e6 * (run["time_split"]["physics"] + run["time_split"]["sensors"]) / steps
     floor_us = 0.0 if setting.still else world_us
-    pipes = pipe_steps_per_s(programs, setting.robots, steps, floor_us)
-    return Pair(pipes, steps / run["wall_time_s"], world_us, 1e6 * cpu_s / steps)
+    pipes, pipes_cpu_s = pipe_run(programs, setting.robots, steps, floor_us)
+    return Pair(pipes, steps / run["wall_time_s"], world_us, 1e6 * (cpu_s - start_s) / steps, 1e6 * pipes_cpu_s / steps)

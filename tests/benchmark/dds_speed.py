@@ -4,13 +4,14 @@
 
 One table. Each row runs some pairs, a DDS run and then the floor, all rows in turn; medians are printed. `still` has the physics
 left out: the world server's shell around a world that stands still, against pipes alone. `world` is the real world server,
-against pipes whose world spends the time that physics and sensors took in the DDS run beside it."""
+against pipes whose world spends the time that physics and sensors took in the DDS run beside it. CPU is the processor time of all
+processes a step, without start and end; it says more than steps/s where the machine does other work, too."""
 
 import argparse
 import pathlib
 import statistics
 
-from dds_runs import ROOT, Pair, Setting, measure
+from dds_runs import ROOT, Pair, Setting, measure, start_cpu_s
 
 PLACEMENTS = [Setting(agents_per_process=k, still=still) for still in (True, False) for k in (1, 2, 15)]
 TRANSPORT = [Setting(transport="udp")]
@@ -33,7 +34,8 @@ def show(setting: Setting, pairs: list[Pair]) -> None:
     ratios = sorted(pair.ratio for pair in pairs)
     dds = median("dds")
     print(f"| {setting.robots} | {setting.agents_per_process} | {setting.transport} | {'still' if setting.still else 'world'} | "
-          f"{dds:.0f} | {dds * 0.032:.1f} | {median('cpu_us'):.0f} | {median('world_us'):.0f} | {median('pipes'):.0f} | "
+          f"{dds:.0f} | {dds * 0.032:.1f} | {median('world_us'):.0f} | {median('cpu_us'):.0f} | {median('pipes'):.0f} | "
+          f"{median('pipes_cpu_us'):.0f} | "
           f"**{median('ratio'):.2f}** ({ratios[0]:.2f} to {ratios[-1]:.2f}) |", flush=True)
 
 
@@ -41,11 +43,12 @@ def main() -> None:
     options = command_line()
     rows = {"placements": PLACEMENTS, "sizes": SIZES, "all": PLACEMENTS + TRANSPORT + SIZES}[options.only]
     pairs: dict[Setting, list[Pair]] = {setting: [] for setting in rows}
+    start_s = {setting: start_cpu_s(options.bin, setting) for setting in rows}
     for _ in range(options.pairs):
         for setting in rows:
-            pairs[setting].append(measure(options.bin, setting, options.steps))
-    print("| robots | agents a process | transport | world | steps/s | x real time | CPU us a step | world us a step | pipes, "
-          "steps/s | DDS / pipes |\n|---|---|---|---|---|---|---|---|---|---|")
+            pairs[setting].append(measure(options.bin, setting, options.steps, start_s[setting]))
+    print("| robots | agents a process | transport | world | steps/s | x real time | world, us | CPU, us | pipes, steps/s | pipes' "
+          "CPU, us | DDS / pipes |\n|---|---|---|---|---|---|---|---|---|---|---|")
     for setting in rows:
         show(setting, pairs[setting])
 

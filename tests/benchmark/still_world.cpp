@@ -62,5 +62,6 @@ std::uint32_t World::items_delivered() const { return 0; }
 std::uint64_t World::empty_closings() const { return 0; }
 bool World::finished() const { return now() >= impl_->max_time; }
 std::uint64_t World::chain() const { return 0; }
+std::span<const std::uint8_t> World::chain_link() const { return {}; }
 
 }  // namespace caravan::world
