@@ -48,7 +48,7 @@ RecordedRun record_run(std::size_t robots, std::size_t steps) {
                              .heard = std::move(heard[robot - 1])});
       heard[robot - 1].clear();
       agent::Outputs outputs = agents[robot - 1].step(step.inputs.back());
-      step.commands.push_back(world::Command{outputs.wheels.left_mps, outputs.wheels.right_mps, false});
+      step.commands.emplace_back(world::Command{outputs.wheels.left_mps, outputs.wheels.right_mps, false});
       step.transmissions.push_back(deploy::to_transmission(robot, outputs));
     }
     for (radio::Reception& one :
