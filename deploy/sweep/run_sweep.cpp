@@ -76,6 +76,11 @@ class Sweep {
   void start(std::size_t index);
   void settle(const Ended& ended);
   void stop();
+  /// A batch system tells a whole job to stop at once, and a run may be the first to do so.
+  [[nodiscard]] bool was_interrupted_with_us(const Ended& ended) const {
+    return ended.exit_code == runtime::kInterrupted &&
+           request_.loop.wait(std::chrono::steady_clock::now() + 500ms) == runtime::Loop::Woken::kStop;
+  }
   [[nodiscard]] std::string why(const Ended& ended) const;
   [[nodiscard]] fs::path log_of(const std::string& name) const {
     return request_.folder / "logs" / (name + ".log");
@@ -196,7 +201,11 @@ void Sweep::do_runs() {
       return stop();
     }
     const std::vector<Ended> ended = children_.ended();
-    for (const Ended& one : ended) settle(one);
+    for (const Ended& one : ended) {
+      if (was_interrupted_with_us(one)) interrupted_ = true;
+      settle(one);
+    }
+    if (interrupted_) return stop();
     if (!ended.empty()) write();
   }
 }

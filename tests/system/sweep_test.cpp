@@ -85,8 +85,9 @@ TEST(Sweep, ARunThatCrashesStaysInTheTableMarkedAndIsDoneAgainOnDemand) {
   const fs::path out = folder / "out";
   {
     Process process{small_sweep(out), folder / "log"};
-    ASSERT_TRUE(eventually([&] { return runner_of(out / "none" / "seed_2") > 0; }, kPatience));
-    kill(runner_of(out / "none" / "seed_2"), SIGSEGV);
+    pid_t runner = 0;
+    ASSERT_TRUE(eventually([&] { return (runner = runner_of(out / "none" / "seed_2")) > 0; }, kPatience));
+    kill(runner, SIGSEGV);
 
     EXPECT_EQ(process.wait(kPatience), 1);
     EXPECT_THAT(process.output(), HasSubstr("failed: mode none seed 2: killed by signal 11"));
@@ -101,6 +102,24 @@ TEST(Sweep, ARunThatCrashesStaysInTheTableMarkedAndIsDoneAgainOnDemand) {
   Process again{small_sweep(out, {"--retry-failed"}), folder / "again.log"};
   EXPECT_EQ(again.wait(kPatience), 0) << again.output();
   EXPECT_EQ(count_in(out, "done"), 4U);
+}
+
+TEST(Sweep, ThatIsToldToStopTogetherWithItsRunsTakesNoneAsFailed) {
+  const test::ScratchFolder folder;
+  const fs::path out = folder / "out";
+  std::vector<std::string> words = small_sweep(out);
+  *std::find(words.begin(), words.end(), "100") = "100000000";
+  Process process{words, folder / "log"};
+  ASSERT_TRUE(eventually([&] { return fs::exists(out / "none" / "seed_1" / "metrics.json"); }, kPatience));
+  const pid_t runner = runner_of(out / "none" / "seed_1");
+  ASSERT_GT(runner, 0);
+
+  kill(runner, SIGTERM);  // as a batch system does, in any order
+  process.signal(SIGTERM);
+
+  EXPECT_EQ(process.wait(kPatience), 130);
+  EXPECT_EQ(count_in(out, "failed"), 0U) << process.output();
+  EXPECT_EQ(count_in(out, "pending"), 4U);
 }
 
 TEST(Sweep, TasksDoOneRunEachAndALaterCallCollectsThem) {
