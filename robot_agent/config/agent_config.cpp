@@ -46,6 +46,7 @@ void read_driving(runtime::TomlTable& table, Config& config) {
   table.read("slow_below_m", config.slow_below_m, kPositive);
   table.read("too_close_m", config.too_close_m, kPositive);
   table.read("meeting_m", config.meeting_m, kPositive);
+  table.read("keep_clear_m", config.keep_clear_m, kNotNegative);
   table.read("arrival_radius_m", config.arrival_radius_m, kPositive);
 }
 
@@ -66,6 +67,7 @@ void read_sharing(runtime::TomlTable& table, Config& config) {
   read_time(table, "sharing_starts_s", config.sharing_starts);
   read_time(table, "recontact_after_s", config.recontact_after);
   read_time(table, "wait_period_s", config.wait_period);
+  table.read("wait_tells_place", config.wait_tells_place);
   read_time(table, "accept_period_s", config.accept_period, 0.001);
   table.read("accept_attempts", config.accept_attempts, {1, 1000});
   read_time(table, "session_timer_s", config.session_timer, 0.001);

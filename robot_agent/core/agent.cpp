@@ -34,6 +34,7 @@ struct Agent::Impl {
         rules{its_rules},
         communication{config},
         driver{config, rules.when_meeting},
+        neighbours{config},
         random{config.seed, pure::mix_all(kDrivingStream, config.id.value)},
         task{Explorer{config}} {}
 
@@ -49,11 +50,13 @@ struct Agent::Impl {
   Rules rules;
   Communication communication;
   Driver driver;
+  Neighbours neighbours;
   pure::Random random;
   std::variant<Explorer, Carrier> task;
   Origin origin = Origin::kNone;
   std::optional<Time> robot_last_heard;
   std::optional<Point> last_p_WB;
+  Time last_step{0};
   Report last_report;
   bool reported = false;
 };
@@ -71,28 +74,30 @@ std::optional<Perception> Agent::Impl::perceive(const Inputs& inputs, bool robot
   const Time remembers = std::max(kRemembersRobot, config.wait_period + config.wait_period / 5);
   const bool near =
       config.robots_are_solid && robot_last_heard && inputs.now - *robot_last_heard <= remembers;
-  Perception seen{inputs.now,
-                  inputs.sensors.p_WB,
-                  inputs.sensors.yaw_WB_rad,
-                  inputs.sensors.holding,
-                  near,
-                  Surroundings{inputs.sensors, config}};
+  std::vector<Neighbour> robots;
+  if (config.robots_are_solid) robots = neighbours.now(inputs.now);
+  Perception seen = agent::perceive(inputs.now, inputs.sensors, near, std::move(robots), config);
   if (seen.around.is_blind()) return std::nullopt;
   return seen;
 }
 
 Outputs Agent::Impl::step(const Inputs& inputs) {
   Notes notes;
-  AirOutputs air = communication.step({inputs.now, inputs.heard, own_path()});
+  const auto place = config.wait_tells_place ? whereabouts_of(inputs.sensors, driver.movement().speed_mps,
+                                                              driver.movement().turn_radps)
+                                             : std::nullopt;
+  AirOutputs air = communication.step({inputs.now, inputs.heard, own_path(), place});
+  for (const Wait& wait : air.robots) neighbours.hear(wait, last_step);
+  last_step = inputs.now;
   const std::optional<Perception> seen = perceive(inputs, air.robot_near);
   if (air.received && last_p_WB) take(std::move(*air.received), *last_p_WB, notes);
   if (auto* carrier = std::get_if<Carrier>(&task); carrier != nullptr && seen) carrier->sense(*seen, notes);
 
   Motion motion;
   if (air.stand_still && config.stop_to_exchange) {
-    motion = driver.stand(Activity::kExchanging);
+    motion = driver.stand(Activity::kExchanging, inputs.now);
   } else if (!seen) {
-    motion = driver.stand(Activity::kIdle);
+    motion = driver.stand(Activity::kIdle, inputs.now);
   } else {
     motion = decide(*seen, notes);
     if (motion.obstruction == Obstruction::kTouch) notes.add("touched");

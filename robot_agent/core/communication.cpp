@@ -107,6 +107,7 @@ void Communication::Impl::hear(const Frame& frame, const AirInputs& inputs, AirO
 void Communication::Impl::hear_wait(const Wait& wait, const AirInputs& inputs, AirOutputs& outputs) {
   if (wait.from == config.id) return;  // somebody bears our number
   robot_heard = inputs.now;
+  outputs.robots.push_back(wait);
   apply(WaitHeard{wait, is_eligible(wait.from, wait.mode, inputs)}, inputs, outputs);
 }
 
@@ -150,7 +151,7 @@ void Communication::Impl::send_wait(const AirInputs& inputs, AirOutputs& outputs
   if (inputs.now < next_wait) return;
   next_wait = inputs.now + config.wait_period;
   const Presence presence = presence_in(state, inputs.now);
-  const Wait wait{config.id, mode(inputs), presence.engagement, presence.partner};
+  const Wait wait{config.id, mode(inputs), presence.engagement, presence.partner, inputs.whereabouts};
   outputs.frames.push_back({kCommonChannel, encode(wait)});
 }
 

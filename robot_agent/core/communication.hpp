@@ -6,6 +6,7 @@
 #include <span>
 
 #include "robot_agent/core/config.hpp"
+#include "robot_agent/core/frames/messages.hpp"
 #include "robot_agent/core/path/path.hpp"
 
 namespace caravan::agent {
@@ -16,6 +17,8 @@ struct AirInputs {
   std::span<const Frame> heard;
   /// The path to give: driven sections only. Empty: this robot has none (mode EXPLORE).
   const Path& own_path;
+  /// Where this robot is; told in WAIT.
+  std::optional<Whereabouts> whereabouts{};
 };
 
 /// What it decides.
@@ -26,6 +29,7 @@ struct AirOutputs {
   /// Another robot was heard in this step; one heard before is remembered for one wait_period, and for 0.2 s
   /// while tuned away.
   bool robot_near = false;
+  std::vector<Wait> robots;      ///< the WAITs heard in this step
   std::optional<Path> received;  ///< a partner's whole path, once, when it is complete
   std::vector<Exchange> ended;   ///< attempts that ended in this step
   std::uint32_t malformed = 0;   ///< frames heard in this step that are not of the protocol

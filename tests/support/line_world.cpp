@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot_agent/core/angle.hpp"
+#include "robot_agent/core/body.hpp"
 
 namespace caravan::test {
 namespace {
@@ -139,7 +140,25 @@ void LineWorld::step() {
     }
     longest_stand_s_ = std::max(longest_stand_s_, now_s() - stood_since_[i]);
   }
+  count_contacts();
   ++step_;
+}
+
+void LineWorld::count_contacts() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const agent::Body one{bodies_[i].p_WB, bodies_[i].yaw_WB_rad};
+      const agent::Body other{bodies_[j].p_WB, bodies_[j].yaw_WB_rad};
+      const bool near = (one.p_WB - other.p_WB).squaredNorm() < 1.0;
+      const bool touch =
+          near && bodies_[i].alive && bodies_[j].alive && agent::distance_m(one, other, config_) <= 0.0;
+      if (!touch) {
+        touching_.erase({i, j});
+      } else if (touching_.insert({i, j}).second) {
+        ++contacts_;
+      }
+    }
+  }
 }
 
 void LineWorld::run_for(double seconds) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "robot_agent/core/agent.hpp"
@@ -40,6 +41,8 @@ class LineWorld {
   [[nodiscard]] int count(std::size_t robot, const std::string& event) const;
   [[nodiscard]] double now_s() const { return static_cast<double>(step_) * kStep_s; }
   void kill(std::size_t robot) { bodies_[robot].alive = false; }
+  /// Pairs of living robots that came to touch, as rectangles; a pair that stays together counts once.
+  [[nodiscard]] int contacts() const { return contacts_; }
   /// Steps in which a body was held by a wall or another body.
   [[nodiscard]] std::uint64_t held() const { return held_; }
   [[nodiscard]] double longest_stand_s() const { return longest_stand_s_; }
@@ -50,6 +53,7 @@ class LineWorld {
   void move(std::size_t robot, const agent::Wheels& wheels);
   void grip(std::size_t robot, bool closed);
   void deliver_frames();
+  void count_contacts();
 
   agent::Config config_;
   std::vector<Wall> walls_;
@@ -65,6 +69,8 @@ class LineWorld {
   std::vector<double> stood_since_;
   std::uint64_t step_ = 0;
   std::uint64_t held_ = 0;
+  std::set<std::pair<std::size_t, std::size_t>> touching_;
+  int contacts_ = 0;
   double longest_stand_s_ = 0.0;
 };
 

@@ -87,7 +87,9 @@ agent::Perception look(std::span<const Wall> walls, const Point& p_WB, double ya
                        const agent::Config& config) {
   agent::Sensors sensors;
   sensors.sonar_range_m = sonar_ranges_m(walls, p_WB, yaw_WB_rad, config.sonar_range_m);
-  return {.p_WB = p_WB, .yaw_WB_rad = yaw_WB_rad, .around = agent::Surroundings{sensors, config}};
+  sensors.p_WB = p_WB;
+  sensors.yaw_WB_rad = yaw_WB_rad;
+  return agent::perceive(agent::Time{0}, sensors, false, {}, config);
 }
 
 }  // namespace caravan::test

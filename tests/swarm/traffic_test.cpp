@@ -37,6 +37,15 @@ TEST(Traffic, FifteenRobotsOnOnePathInBothDirectionsAllDeliver) {
   world.run_for(1800.0);
   for (std::size_t i = 0; i < 15; ++i) EXPECT_GE(world.delivered(i), 1U) << "robot " << i + 1;
   EXPECT_LT(world.longest_stand_s(), 300.0);
+  EXPECT_LE(world.contacts(), 3);
+}
+
+TEST(Traffic, RobotsThatDoNotTellWhereTheyAreKeepThePapersRuleAndTouchMoreOften) {
+  Config config = street();
+  config.wait_tells_place = false;
+  LineWorld world = street_with_robots(config, 15);
+  world.run_for(300.0);
+  EXPECT_GT(world.contacts(), 20);
 }
 
 TEST(Traffic, TwoRobotsThatMeetHeadOnPassEachOther) {
@@ -45,6 +54,7 @@ TEST(Traffic, TwoRobotsThatMeetHeadOnPassEachOther) {
   world.add_robot({-8.0, 0.0}, 0.0);
   world.add_robot({8.0, 0.0}, 3.14);
   world.run_for(300.0);
+  EXPECT_EQ(world.contacts(), 0);
   EXPECT_GE(world.delivered(0), 3U);
   EXPECT_GE(world.delivered(1), 3U);
   EXPECT_LT(world.longest_stand_s(), 30.0);

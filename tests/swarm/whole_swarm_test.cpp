@@ -30,6 +30,7 @@ struct Outcome {
   double time_s = 0.0;
   double longest_stand_s = 0.0;  // of any robot: within 0.5 m of one place
   int exchanges_completed = 0;
+  int contacts = 0;  // between robots
   std::map<std::uint32_t, std::vector<Place>> paths;
 };
 
@@ -53,6 +54,7 @@ Outcome run(const runtime::TomlDocument& scenario) {
   while (!engine.finished()) {
     const Observation& seen = engine.step();
     watch_stands(seen, stood, outcome);
+    for (const Contact& contact : seen.contacts) outcome.contacts += contact.other != 0 ? 1 : 0;
     for (const AgentReport& report : seen.agent_reports) {
       if (report.path_changed) outcome.paths[report.robot] = report.path;
       for (const Exchange& exchange : report.exchanges) outcome.exchanges_completed += exchange.completed;
@@ -72,6 +74,7 @@ TEST_P(WholeSwarm, DeliversInTheEmulatedWorldWithoutGettingStuck) {
                                             {"seed = 1", "seed = " + std::to_string(seed)},
                                             {"items = 4", "items = 12"}}));
     EXPECT_EQ(outcome.delivered, 12U);
+    EXPECT_LE(outcome.contacts, 2);
     EXPECT_LT(outcome.longest_stand_s, 120.0);
     if (std::string{GetParam()} == "none") {
       EXPECT_EQ(outcome.exchanges_completed, 0);

@@ -2,6 +2,7 @@
 #include "robot_agent/core/frames/codec.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 #include "robot_agent/core/frames/layout.hpp"
@@ -11,9 +12,19 @@
 namespace caravan::agent {
 namespace {
 
-enum class Type : std::uint8_t { kWait = 1, kAccept = 2, kAcceptAck = 3, kReject = 4, kPath = 5, kEnd = 6 };
+enum class Type : std::uint8_t {
+  kWait = 1,
+  kAccept = 2,
+  kAcceptAck = 3,
+  kReject = 4,
+  kPath = 5,
+  kEnd = 6,
+  kWaitAt = 7
+};
 
 constexpr std::uint8_t kMagic = 0xC1;  // "Caravan, version 1"
+constexpr std::size_t kWhereaboutsBytes = 14;
+constexpr int kMostYaw_mrad = 3142;
 constexpr std::size_t kPathHeaderBytes = 16;
 constexpr std::size_t kPointBytes = 8;
 
@@ -32,8 +43,18 @@ std::optional<Address> read_address(ByteReader& in, bool session_required) {
   return good ? std::optional{address} : std::nullopt;
 }
 
-Decoded read_wait(ByteReader in) {
-  if (in.left() != 6) return DecodeError::kWrongLength;
+Whereabouts read_whereabouts(ByteReader& in) {
+  Whereabouts whereabouts;
+  whereabouts.at.x_mm = in.i32();
+  whereabouts.at.y_mm = in.i32();
+  whereabouts.yaw_mrad = in.i16();
+  whereabouts.speed_mmps = in.i16();
+  whereabouts.turn_mradps = in.i16();
+  return whereabouts;
+}
+
+Decoded read_wait(ByteReader in, bool tells_place) {
+  if (in.left() != (tells_place ? 6 + kWhereaboutsBytes : 6)) return DecodeError::kWrongLength;
   const RobotId from{in.u16()};
   const std::uint8_t mode = in.u8();
   const std::uint8_t engagement = in.u8();
@@ -42,7 +63,12 @@ Decoded read_wait(ByteReader in) {
   const bool engaged = engagement == static_cast<std::uint8_t>(Engagement::kNegotiating) ||
                        engagement == static_cast<std::uint8_t>(Engagement::kInSession);
   if (engaged != (partner.value != 0)) return DecodeError::kBadValue;
-  return Wait{from, static_cast<Mode>(mode), static_cast<Engagement>(engagement), partner};
+  Wait wait{from, static_cast<Mode>(mode), static_cast<Engagement>(engagement), partner};
+  if (tells_place) {
+    wait.whereabouts = read_whereabouts(in);
+    if (std::abs(wait.whereabouts->yaw_mrad) > kMostYaw_mrad) return DecodeError::kBadValue;
+  }
+  return wait;
 }
 
 Decoded read_accept(ByteReader in) {
@@ -112,11 +138,18 @@ ByteWriter begin(Type type, std::size_t bytes, const Addressed& message) {
 }
 
 std::vector<std::uint8_t> write_wait(const Wait& wait) {
-  ByteWriter out = begin(Type::kWait, 8);
+  ByteWriter out = wait.whereabouts ? begin(Type::kWaitAt, 8 + kWhereaboutsBytes) : begin(Type::kWait, 8);
   out.u16(wait.from.value);
   out.u8(static_cast<std::uint8_t>(wait.mode));
   out.u8(static_cast<std::uint8_t>(wait.engagement));
   out.u16(wait.partner.value);
+  if (wait.whereabouts) {
+    out.i32(wait.whereabouts->at.x_mm);
+    out.i32(wait.whereabouts->at.y_mm);
+    out.i16(wait.whereabouts->yaw_mrad);
+    out.i16(wait.whereabouts->speed_mmps);
+    out.i16(wait.whereabouts->turn_mradps);
+  }
   return std::move(out).bytes();
 }
 
@@ -150,7 +183,9 @@ Decoded decode(std::span<const std::uint8_t> bytes) {
   const ByteReader body{bytes.subspan(2)};
   switch (static_cast<Type>(bytes[1])) {
     case Type::kWait:
-      return read_wait(body);
+      return read_wait(body, false);
+    case Type::kWaitAt:
+      return read_wait(body, true);
     case Type::kAccept:
       return read_accept(body);
     case Type::kAcceptAck:

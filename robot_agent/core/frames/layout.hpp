@@ -23,6 +23,7 @@ class ByteReader {
     const unsigned low = u8();
     return static_cast<std::uint16_t>(low | static_cast<unsigned>(u8()) << 8U);
   }
+  std::int16_t i16() { return static_cast<std::int16_t>(u16()); }
   std::int32_t i32() {
     const std::uint32_t low = u16();
     return static_cast<std::int32_t>(low | static_cast<std::uint32_t>(u16()) << 16U);
@@ -41,6 +42,7 @@ class ByteWriter {
     u8(static_cast<std::uint8_t>(value & 0xFFU));
     u8(static_cast<std::uint8_t>(value >> 8U));
   }
+  void i16(std::int16_t value) { u16(static_cast<std::uint16_t>(value)); }
   void i32(std::int32_t value) {
     const auto bits = static_cast<std::uint32_t>(value);
     u16(static_cast<std::uint16_t>(bits & 0xFFFFU));

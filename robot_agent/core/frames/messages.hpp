@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "robot_agent/core/types.hpp"
@@ -16,12 +17,29 @@ enum class Engagement : std::uint8_t {
   kAway          ///< with nobody, and not to be paired with now
 };
 
+/// Whole millimetres in frame W.
+struct GridPoint {
+  std::int32_t x_mm = 0;
+  std::int32_t y_mm = 0;
+  bool operator==(const GridPoint&) const = default;
+};
+
+/// Where the sender of a WAIT is and how it moves, so that others keep clear of what their sonars do not see.
+struct Whereabouts {
+  GridPoint at;                  ///< its base, by its own GPS
+  std::int16_t yaw_mrad = 0;     ///< in W, -3142 .. 3142
+  std::int16_t speed_mmps = 0;   ///< of its base, forward positive
+  std::int16_t turn_mradps = 0;  ///< counter-clockwise positive
+  bool operator==(const Whereabouts&) const = default;
+};
+
 /// Presence: "here I am".
 struct Wait {
   RobotId from;
   Mode mode = Mode::kExplore;
   Engagement engagement = Engagement::kFree;
   RobotId partner;  ///< 0 unless kNegotiating or kInSession
+  std::optional<Whereabouts> whereabouts{};
   bool operator==(const Wait&) const = default;
 };
 
@@ -54,13 +72,6 @@ struct Reject {
   std::uint16_t session = 0;  ///< of the ACCEPT that it answers; 0: it answers a WAIT
   Refusal refusal = Refusal::kBusy;
   bool operator==(const Reject&) const = default;
-};
-
-/// A point of a path on the 1 mm grid.
-struct GridPoint {
-  std::int32_t x_mm = 0;
-  std::int32_t y_mm = 0;
-  bool operator==(const GridPoint&) const = default;
 };
 
 /// A part of the sender's path, and how much of the receiver's path it holds.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "robot_agent/core/navigation/manoeuvre.hpp"
+#include "robot_agent/core/navigation/meeting.hpp"
 
 namespace caravan::agent {
 
@@ -12,6 +13,7 @@ struct Encounter {
   double goal_bearing_rad = 0.0;  ///< where it wants to go, frame B
   double draw = 0.5;  ///< a random number in [0, 1): two robots shall not mirror each other for ever
   int attempt = 0;    ///< how often in a row, in this place
+  std::optional<Meeting> meeting{};  ///< when the other has told where it is
 };
 
 /// Decides how to give way. Replaceable: traffic management comes later.

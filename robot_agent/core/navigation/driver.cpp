@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "robot_agent/core/navigation/keep_clear.hpp"
 #include "robot_agent/core/navigation/steering.hpp"
 
 namespace caravan::agent {
@@ -19,20 +20,22 @@ constexpr double kSamePlace_m = 1.0;
 constexpr double kBacksOff_m = 0.4;
 // A robot ahead that comes no nearer than this drives in the same direction: follow it.
 constexpr double kComes_mps = 0.2;
+// Kept by another robot from what it wants to do: the two wheels' speeds together differ by this, for so
+// long.
+constexpr double kHeld_mps = 0.3;
+constexpr Time kLongestStep = 1s;
+constexpr Time kHeldLong = 700ms;
 
 }  // namespace
 
 Driver::Driver(const Config& config, AvoidanceRule when_meeting)
     : config_{config}, when_meeting_{when_meeting} {}
 
-Motion Driver::moving(Wheels wheels, Activity activity, Obstruction obstruction) {
-  last_wheels_ = wheels;
-  return {wheels, activity, obstruction};
-}
-
-Motion Driver::stand(Activity activity) {
+Motion Driver::stand(Activity activity, Time now) {
   monitor_.reset();
-  return moving({}, activity, Obstruction::kNone);
+  held_since_.reset();
+  tell({}, now);
+  return {{}, activity, Obstruction::kNone};
 }
 
 int Driver::attempts_at(const Perception& seen) {
@@ -44,14 +47,57 @@ int Driver::attempts_at(const Perception& seen) {
 }
 
 Motion Driver::drive_to(const Point& goal_W, const Perception& seen, pure::Random& random) {
+  Motion motion = approach(goal_W, seen, random);
+  const Wheels allowed = keep_clear(motion.wheels, movement_, seen, config_);
+  if (is_held(motion.wheels, allowed, seen.now)) {
+    held_since_.reset();
+    if (auto* manoeuvring = std::get_if<Manoeuvring>(&state_)) {
+      manoeuvring->performance.skip();
+    } else {
+      motion.obstruction = Obstruction::kRobot;
+      meet({}, goal_W, seen, random);
+    }
+  }
+  if (allowed != motion.wheels) motion.activity = Activity::kAvoiding;
+  motion.wheels = allowed;
+  tell(allowed, seen.now);
+  return motion;
+}
+
+void Driver::tell(const Wheels& wheels, Time now) {
+  const double passed = std::chrono::duration<double>(std::min(now - told_, kLongestStep)).count();
+  movement_ = approaching(movement_, movement_of(last_wheels_, config_), passed);
+  last_wheels_ = wheels;
+  told_ = now;
+}
+
+bool Driver::is_held(const Wheels& wanted, const Wheels& allowed, Time now) {
+  const double lack =
+      std::abs(wanted.left_mps - allowed.left_mps) + std::abs(wanted.right_mps - allowed.right_mps);
+  if (lack < kHeld_mps) {
+    held_since_.reset();
+    return false;
+  }
+  if (!held_since_) held_since_ = now;
+  return now - *held_since_ > kHeldLong;
+}
+
+void Driver::meet(const std::optional<Meeting>& meeting, const Point& goal_W, const Perception& seen,
+                  pure::Random& random) {
+  const Encounter encounter{seen,          config_,           seen.bearing_to(goal_W),
+                            random.unit(), attempts_at(seen), meeting};
+  state_ = Manoeuvring{Performance{when_meeting_(encounter)}};
+}
+
+Motion Driver::approach(const Point& goal_W, const Perception& seen, pure::Random& random) {
   if (monitor_.update(seen, last_wheels_, config_)) {
     state_ = Manoeuvring{
         Performance{free_itself({seen, config_, seen.bearing_to(goal_W), random.unit(), attempts_at(seen)})}};
-    return moving({}, Activity::kAvoiding, Obstruction::kTouch);
+    return {{}, Activity::kAvoiding, Obstruction::kTouch};
   }
   if (auto* manoeuvring = std::get_if<Manoeuvring>(&state_)) {
     if (const auto wheels = manoeuvring->performance.step(seen, config_)) {
-      return moving(*wheels, Activity::kAvoiding, Obstruction::kNone);
+      return {*wheels, Activity::kAvoiding, Obstruction::kNone};
     }
     state_ = Steering{};
   }
@@ -60,20 +106,22 @@ Motion Driver::drive_to(const Point& goal_W, const Perception& seen, pure::Rando
 
 Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& random) {
   const double bearing = seen.bearing_to(goal_W);
-  const auto [ahead, closing] = watch_.update(seen, free_ahead_m(seen, config_));
+  const auto [ahead, closing] = watch_.update(seen, free_ahead_m(seen.around, config_));
   const bool facing = std::abs(bearing) < kFacing_rad;
   const bool in_the_way = ahead < config_.too_close_m || (ahead < config_.meeting_m && closing > kComes_mps);
-  if (facing && seen.robot_near && in_the_way) {
-    state_ =
-        Manoeuvring{Performance{when_meeting_({seen, config_, bearing, random.unit(), attempts_at(seen)})}};
-    return moving({}, Activity::kAvoiding, Obstruction::kRobot);
+  const bool somebody = seen.robot_near && seen.robots.empty();  // who has not told where it is
+  const auto meeting = facing ? find_meeting(bearing, config_.cruise_mps, seen, config_) : std::nullopt;
+  if (meeting || (facing && somebody && in_the_way)) {
+    meet(meeting, goal_W, seen, random);
+    return {{}, Activity::kAvoiding, Obstruction::kRobot};
   }
   // Something beyond the goal is not in the way.
   const double needed = std::min(config_.too_close_m, std::max(0.15, seen.distance_to(goal_W)));
-  if (facing && ahead < needed) return moving({}, Activity::kAvoiding, Obstruction::kObstacle);
+  if (facing && free_ahead_m(seen.still, config_) < needed) {
+    return {{}, Activity::kAvoiding, Obstruction::kObstacle};
+  }
   const double leaning = facing ? bearing + lean_rad(seen, config_) : bearing;
-  return moving(steer_to(leaning, speed_for(ahead, config_), config_), Activity::kDriving,
-                Obstruction::kNone);
+  return {steer_to(leaning, speed_for(ahead, config_), config_), Activity::kDriving, Obstruction::kNone};
 }
 
 void Driver::go_round_towards(const Point& goal_W, const Perception& seen, pure::Random& random) {

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "robot_agent/core/navigation/avoidance.hpp"
+#include "robot_agent/core/navigation/movement.hpp"
 #include "robot_agent/core/navigation/stuck.hpp"
 #include "robot_agent/core/navigation/watch.hpp"
 #include "runtime/pure/random.hpp"
@@ -41,7 +42,10 @@ class Driver {
   /// Backs off a little on the way that it came, which is free, before it turns.
   void back_off();
   /// The robot stands in this step. A manoeuvre under way goes on afterwards.
-  [[nodiscard]] Motion stand(Activity activity);
+  [[nodiscard]] Motion stand(Activity activity, Time now);
+
+  /// How the robot moved when it was told last, from what its wheels had been told until then.
+  [[nodiscard]] const Movement& movement() const { return movement_; }
 
   /// Driving freely, not giving way.
   [[nodiscard]] bool is_steering() const { return std::holds_alternative<Steering>(state_); }
@@ -52,7 +56,11 @@ class Driver {
     Performance performance;
   };
   [[nodiscard]] Motion steer(const Point& goal_W, const Perception& seen, pure::Random& random);
-  [[nodiscard]] Motion moving(Wheels wheels, Activity activity, Obstruction obstruction);
+  [[nodiscard]] Motion approach(const Point& goal_W, const Perception& seen, pure::Random& random);
+  void meet(const std::optional<Meeting>& meeting, const Point& goal_W, const Perception& seen,
+            pure::Random& random);
+  void tell(const Wheels& wheels, Time now);
+  [[nodiscard]] bool is_held(const Wheels& wanted, const Wheels& allowed, Time now);
   [[nodiscard]] int attempts_at(const Perception& seen);
 
   Config config_;
@@ -61,6 +69,9 @@ class Driver {
   StuckMonitor monitor_;
   Watch watch_;
   Wheels last_wheels_;
+  Movement movement_;
+  Time told_{0};
+  std::optional<Time> held_since_;
   Point last_trouble_at_{0.0, 0.0};
   Time last_trouble_{-std::chrono::hours{1}};
   int attempts_ = 0;

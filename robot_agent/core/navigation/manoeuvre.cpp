@@ -33,10 +33,14 @@ std::optional<Wheels> Performance::step(const Perception& seen, const Config& co
       wheels = std::visit([&](const auto& leg) { return perform(leg, seen, config); }, legs_[current_]);
     }
     if (wheels) return wheels;
-    ++current_;
-    begun_ = false;
+    skip();
   }
   return std::nullopt;
+}
+
+void Performance::skip() {
+  ++current_;
+  begun_ = false;
 }
 
 std::optional<Wheels> Performance::perform(const TurnTo& leg, const Perception& seen,
@@ -50,13 +54,20 @@ std::optional<Wheels> Performance::perform(const Go& leg, const Perception& seen
                                            const Config& config) const {
   if (seen.distance_to(leg_began_at_) >= std::abs(leg.distance_m)) return std::nullopt;
   if (leg.distance_m < 0.0) {
-    if (free_behind_m(seen, config) < kTooNearBehind_m) return std::nullopt;
+    if (free_behind_m(seen.around, config) < kTooNearBehind_m) return std::nullopt;
     return wheels_for(-kBackwards_mps, 0.0, config);
   }
-  const double ahead = free_ahead_m(seen, config);
+  const double ahead = free_ahead_m(seen.around, config);
   if (ahead < kTooNearAhead_m) return std::nullopt;
   return wheels_for(std::max(config.slow_mps, std::min(0.6 * config.cruise_mps, speed_for(ahead, config))),
                     0.0, config);
+}
+
+std::optional<Wheels> Performance::perform(const Veer& leg, const Perception& seen,
+                                           const Config& config) const {
+  if (seen.distance_to(leg_began_at_) >= leg.distance_m) return std::nullopt;
+  if (free_ahead_m(seen.still, config) < kTooNearAhead_m) return std::nullopt;
+  return steer_to(wrapped(leg.yaw_WB_rad - seen.yaw_WB_rad), leg.speed_mps, config);
 }
 
 std::optional<Wheels> Performance::perform(const Pause& leg, const Perception& seen, const Config&) const {

@@ -18,11 +18,17 @@ struct TurnTo {
 struct Go {
   double distance_m = 0.0;
 };
+/// Turn to a heading in W while driving, until so far away. Ends early when the way is not free.
+struct Veer {
+  double yaw_WB_rad = 0.0;
+  double distance_m = 0.0;
+  double speed_mps = 0.0;
+};
 /// Stand.
 struct Pause {
   Time duration{0};
 };
-using Leg = std::variant<TurnTo, Go, Pause>;
+using Leg = std::variant<TurnTo, Go, Veer, Pause>;
 
 /// A short sequence of blind movements, each with a deadline.
 using Manoeuvre = std::vector<Leg>;
@@ -34,11 +40,15 @@ class Performance {
 
   /// What the wheels do now; nothing: the manoeuvre is over.
   [[nodiscard]] std::optional<Wheels> step(const Perception& seen, const Config& config);
+  /// Leaves the current leg: it cannot be done.
+  void skip();
 
  private:
   [[nodiscard]] std::optional<Wheels> perform(const TurnTo& leg, const Perception& seen,
                                               const Config& config) const;
   [[nodiscard]] std::optional<Wheels> perform(const Go& leg, const Perception& seen,
+                                              const Config& config) const;
+  [[nodiscard]] std::optional<Wheels> perform(const Veer& leg, const Perception& seen,
                                               const Config& config) const;
   [[nodiscard]] std::optional<Wheels> perform(const Pause& leg, const Perception& seen,
                                               const Config& config) const;

@@ -48,13 +48,13 @@ Wheels steer_to(double bearing_rad, double speed_mps, const Config& config) {
   return wheels_for(speed_mps * share, turn_rate(bearing_rad), config);
 }
 
-double free_ahead_m(const Perception& seen, const Config& config, double bearing_rad) {
-  return std::max(0.0, seen.around.clearance_m(beside_the_body(config, bearing_rad)) - config.body_ahead_m);
+double free_ahead_m(const Surroundings& around, const Config& config, double bearing_rad) {
+  return std::max(0.0, around.clearance_m(beside_the_body(config, bearing_rad)) - config.body_ahead_m);
 }
 
-double free_behind_m(const Perception& seen, const Config& config) {
+double free_behind_m(const Surroundings& around, const Config& config) {
   const double behind = config.body_length_m - config.body_ahead_m;
-  return std::max(0.0, seen.around.clearance_m(beside_the_body(config, std::numbers::pi)) - behind);
+  return std::max(0.0, around.clearance_m(beside_the_body(config, std::numbers::pi)) - behind);
 }
 
 double lean_rad(const Perception& seen, const Config& config) {

@@ -17,9 +17,9 @@ namespace caravan::agent {
 [[nodiscard]] Wheels steer_to(double bearing_rad, double speed_mps, const Config& config);
 
 /// Free distance ahead of the body, metres; 0 when something touches it.
-[[nodiscard]] double free_ahead_m(const Perception& seen, const Config& config, double bearing_rad = 0.0);
+[[nodiscard]] double free_ahead_m(const Surroundings& around, const Config& config, double bearing_rad = 0.0);
 /// The same behind the body.
-[[nodiscard]] double free_behind_m(const Perception& seen, const Config& config);
+[[nodiscard]] double free_behind_m(const Surroundings& around, const Config& config);
 
 /// How much to turn away from a surface close beside the robot, positive to the left. Walls end in corners,
 /// which return no echo: keeping off the wall keeps off its corner.

@@ -23,13 +23,13 @@ bool StuckMonitor::update(const Perception& seen, const Wheels& commanded, const
   }
   const double dt = std::chrono::duration<double>(seen.now - last_).count();
   last_ = seen.now;
-  commanded_m_ += dt * std::abs(0.5 * (commanded.left_mps + commanded.right_mps));
-  commanded_rad_ += dt * std::abs(commanded.right_mps - commanded.left_mps) / config.track_m;
+  commanded_m_ += dt * 0.5 * (commanded.left_mps + commanded.right_mps);
+  commanded_rad_ += dt * (commanded.right_mps - commanded.left_mps) / config.track_m;
   if (seen.distance_to(p_WB_) > kMoved_m || std::abs(wrapped(seen.yaw_WB_rad - yaw_WB_rad_)) > kTurned_rad) {
     anchor(seen);
     return false;
   }
-  if (commanded_m_ < kCommanded_m && commanded_rad_ < kCommanded_rad) return false;
+  if (std::abs(commanded_m_) < kCommanded_m && std::abs(commanded_rad_) < kCommanded_rad) return false;
   anchor(seen);
   return true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "robot_agent/core/angle.hpp"
+#include "robot_agent/core/sensing/neighbours.hpp"
 #include "robot_agent/core/sensing/surroundings.hpp"
 #include "robot_agent/core/types.hpp"
 
@@ -15,6 +16,8 @@ struct Perception {
   bool holding = false;
   bool robot_near = false;  ///< a WAIT was heard just now
   Surroundings around;
+  std::vector<Neighbour> robots;  ///< that told where they are, by id
+  Surroundings still;             ///< `around` without the echoes of `robots`
 
   /// Where a point of W lies as seen by the robot: 0 ahead, positive to the left.
   [[nodiscard]] double bearing_to(const Point& p_W) const {
@@ -22,5 +25,9 @@ struct Perception {
   }
   [[nodiscard]] double distance_to(const Point& p_W) const { return (p_W - p_WB).norm(); }
 };
+
+/// Puts one step's sensors and what was heard together. @pre position and heading are known
+[[nodiscard]] Perception perceive(Time now, const Sensors& sensors, bool robot_near,
+                                  std::vector<Neighbour> robots, const Config& config);
 
 }  // namespace caravan::agent

@@ -26,6 +26,18 @@ class Surroundings {
  public:
   Surroundings(const Sensors& sensors, const Config& config);
 
+  /// The same without the echoes of these bodies, given in frame B: what is left is not a robot that told
+  /// where it is.
+  template <typename IsOfARobot>
+  [[nodiscard]] Surroundings without(const IsOfARobot& is_of_a_robot) const {
+    Surroundings rest = *this;
+    rest.count_ = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (!is_of_a_robot(echoes_[i].p_B)) rest.echoes_[rest.count_++] = echoes_[i];
+    }
+    return rest;
+  }
+
   /// Distance from the base along the corridor's line to the first surface inside the corridor; +inf: none.
   [[nodiscard]] double clearance_m(const Corridor& corridor) const;
   /// True when the bearing lies in the gapless fan of the six front sonars.

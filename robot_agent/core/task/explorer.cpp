@@ -48,7 +48,7 @@ Motion Explorer::approach(Approaching& state, const Perception& seen, Driver& dr
   const Point destination = state.destination;
   if (has_arrived(seen, destination, config_)) {
     found_ = record_.finished_at(seen.p_WB, destination);
-    return driver.stand(Activity::kDriving);
+    return driver.stand(Activity::kDriving, seen.now);
   }
   if (seen.robot_near || sees_destination(seen, config_)) state.last_seen = seen.now;
   const Motion motion = driver.drive_to(destination, seen, random);

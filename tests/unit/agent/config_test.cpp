@@ -74,6 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"[algorithm]\ncruise_mps = 1.7\n", "a.toml:2: algorithm.cruise_mps: must not exceed"},
         Refused{"[algorithm]\narrival_radius_m = 1.6\n", "algorithm.arrival_radius_m: must not exceed"},
         Refused{"[algorithm]\ntoo_close_m = 1.1\n", "algorithm.too_close_m: must not exceed"},
+        Refused{"[algorithm]\nkeep_clear_m = -0.1\n", "a.toml:2: algorithm.keep_clear_m: must"},
+        Refused{"[algorithm]\nwait_tells_place = 1\n", "a.toml:2: algorithm.wait_tells_place: must be"},
         Refused{"[algorithm]\ncorridor_m = 0.3\n", "algorithm.corridor_m: must not be less"}));
 
 TEST(AgentConfig, TheWorldIsNotRead) {

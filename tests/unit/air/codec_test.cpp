@@ -37,6 +37,8 @@ std::vector<Message> examples() {
           Wait{kThree, Mode::kExplore, Engagement::kNegotiating, kSeven},
           Wait{kThree, Mode::kTransport, Engagement::kInSession, kSeven},
           Wait{kThree, Mode::kExplore, Engagement::kAway, {}},
+          Wait{kThree, Mode::kExplore, Engagement::kFree, {}, Whereabouts{{low, high}, 3142, -32768, 32767}},
+          Wait{kThree, Mode::kTransport, Engagement::kInSession, kSeven, Whereabouts{{}, -3142, 975, -1}},
           Accept{kSeven, kThree, 1, Mode::kExplore},
           Accept{kSeven, kThree, 65535, Mode::kTransport},
           AcceptAck{kThree, kSeven, 513},
@@ -57,6 +59,20 @@ TEST(Codec, WhatIsEncodedDecodesToTheSameMessage) {  // P-10
 TEST(Codec, LaysAWaitOutAsDocumented) {  // P-11
   EXPECT_THAT(encode(Wait{RobotId{0x0203}, Mode::kTransport, Engagement::kNegotiating, RobotId{0x0405}}),
               ElementsAre(0xC1, 1, 0x03, 0x02, 1, 1, 0x05, 0x04));
+}
+
+TEST(Codec, LaysTheWhereaboutsInAWaitOutAsDocumented) {  // P-11
+  const Whereabouts place{{0x01020304, -1}, -2, 0x0506, 0x0708};
+  EXPECT_THAT(
+      encode(Wait{kThree, Mode::kExplore, Engagement::kFree, {}, place}),
+      ElementsAre(0xC1, 7, 3, 0, 0, 0, 0, 0, 4, 3, 2, 1, 0xFF, 0xFF, 0xFF, 0xFF, 0xFE, 0xFF, 6, 5, 8, 7));
+}
+
+TEST(Codec, RefusesAHeadingBeyondHalfATurn) {  // P-12
+  for (const std::int16_t yaw_mrad : {std::int16_t{3143}, std::int16_t{-3143}, std::int16_t{-32768}}) {
+    const Wait wait{kThree, Mode::kExplore, Engagement::kFree, {}, Whereabouts{{}, yaw_mrad, 0, 0}};
+    EXPECT_EQ(error_in(encode(wait)), DecodeError::kBadValue) << yaw_mrad;
+  }
 }
 
 TEST(Codec, LaysNegotiationFramesOutAsDocumented) {  // P-11
@@ -90,7 +106,7 @@ TEST(Codec, RefusesOtherProtocolsAndUnknownTypes) {  // P-12
   EXPECT_EQ(error_in({0xC2, 1, 3, 0, 0, 0, 0, 0}), DecodeError::kForeign);
   EXPECT_EQ(error_in({0xC1}), DecodeError::kWrongLength);
   EXPECT_EQ(error_in({0xC1, 0}), DecodeError::kUnknownType);
-  EXPECT_EQ(error_in({0xC1, 7, 3, 0}), DecodeError::kUnknownType);
+  EXPECT_EQ(error_in({0xC1, 8, 3, 0}), DecodeError::kUnknownType);
 }
 
 TEST(Codec, RefusesFieldsOutOfRange) {  // P-12

@@ -64,7 +64,7 @@ struct CommunicationTest : testing::Test {
     for (auto& [id, robot] : robots) take(robot, heard[id]);
   }
   void take(Robot& robot, const std::vector<Frame>& heard) const {
-    robot.out = robot.communication.step({now, heard, robot.path});
+    robot.out = robot.communication.step({.now = now, .heard = heard, .own_path = robot.path});
     robot.ended.insert(robot.ended.end(), robot.out.ended.begin(), robot.out.ended.end());
     if (robot.out.received) robot.received.push_back(*robot.out.received);
     for (const Frame& frame : robot.out.frames) {
@@ -258,6 +258,22 @@ TEST_F(CommunicationTest, PresenceWorksInModeNone) {  // P-1, P-4, P-20
   EXPECT_TRUE(three.out.robot_near);
   EXPECT_THAT(three.ended, SizeIs(0));
   EXPECT_THAT(three.sent, SizeIs(0));
+}
+
+TEST_F(CommunicationTest, TellsWhereItIsInItsWaitAndHandsOnWhatOthersTell) {  // P-9
+  const Whereabouts place{{-21500, -22000}, 1571, 975, -300};
+  Communication three{Config{.id = RobotId{3}}};
+  Communication seven{Config{.id = RobotId{7}}};
+  const Path none;
+  const AirOutputs told = three.step({.now = now, .heard = {}, .own_path = none, .whereabouts = place});
+  const AirOutputs heard = seven.step({.now = now, .heard = told.frames, .own_path = none});
+  EXPECT_EQ(text_of(told.frames.front()), "WAIT_3_EXPLORE");
+  ASSERT_THAT(heard.robots, SizeIs(1));
+  EXPECT_EQ(heard.robots[0].from, RobotId{3});
+  EXPECT_EQ(heard.robots[0].whereabouts, place);
+  const AirOutputs answer = three.step({.now = now + kStep, .heard = heard.frames, .own_path = none});
+  ASSERT_THAT(answer.robots, SizeIs(1));
+  EXPECT_FALSE(answer.robots[0].whereabouts) << "who does not know where it is says so by saying nothing";
 }
 
 TEST_F(CommunicationTest, CountsForeignBytesAndIgnoresItsOwnName) {  // P-12

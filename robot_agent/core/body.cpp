@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/body.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "robot_agent/core/angle.hpp"
+
+namespace caravan::agent {
+namespace {
+
+struct Outline {
+  Point centre;
+  Point along;  // unit vector forward
+  double half_length;
+  double half_width;
+
+  Outline(const Body& body, const Config& config)
+      : along{direction(body.yaw_WB_rad)},
+        half_length{0.5 * config.body_length_m},
+        half_width{0.5 * config.body_width_m} {
+    centre = body.p_WB + (config.body_ahead_m - half_length) * along;
+  }
+  [[nodiscard]] Point across() const { return {-along.y(), along.x()}; }
+  [[nodiscard]] double squared_distance(const Point& p_W) const {
+    const Point from = p_W - centre;
+    const double dx = std::max(0.0, std::abs(from.dot(along)) - half_length);
+    const double dy = std::max(0.0, std::abs(from.dot(across())) - half_width);
+    return dx * dx + dy * dy;
+  }
+  [[nodiscard]] std::array<Point, 4> corners() const {
+    const Point l = half_length * along;
+    const Point w = half_width * across();
+    return {centre + l + w, centre + l - w, centre - l + w, centre - l - w};
+  }
+};
+
+}  // namespace
+
+double distance_m(const Body& one, const Body& other, const Config& config) {
+  // Of two rectangles apart, a corner of one is a nearest point.
+  const Outline a{one, config};
+  const Outline b{other, config};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Point& corner : a.corners()) nearest = std::min(nearest, b.squared_distance(corner));
+  for (const Point& corner : b.corners()) nearest = std::min(nearest, a.squared_distance(corner));
+  return std::sqrt(nearest);
+}
+
+double distance_m(const Body& body, const Point& p_W, const Config& config) {
+  return std::sqrt(Outline{body, config}.squared_distance(p_W));
+}
+
+}  // namespace caravan::agent

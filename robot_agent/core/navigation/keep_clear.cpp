@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/navigation/keep_clear.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "robot_agent/core/body.hpp"
+#include "robot_agent/core/navigation/steering.hpp"
+
+namespace caravan::agent {
+namespace {
+
+constexpr double kLasts_s = 0.12;   // a movement lasts at least that long; then the robot can brake
+constexpr double kMoment_s = 0.08;  // between the moments looked at
+constexpr std::size_t kMoments = 7;
+constexpr double kConcerns_m = 1.7;  // between the bases of two robots; further off they can still brake
+constexpr double kRoom_m = 0.2;      // to an echo, where another movement than the wanted one leads
+
+constexpr double kNothing_m = 1e-3;
+constexpr double kMayLose = 0.7;  // of the space between two bodies when it is too little already
+constexpr double kBodiesMatter = 3.0;
+
+using Course = std::array<Body, kMoments>;
+
+/// Where a body comes that moves as it does, is told to move otherwise, then to stop.
+Course course_of(Body body, Movement now, const Movement& told) {
+  Course course;
+  double seconds = 0.0;
+  for (Body& there : course) {
+    const Movement then = approaching(now, seconds < kLasts_s ? told : Movement{}, kMoment_s);
+    const double turned = 0.5 * kMoment_s * (now.turn_radps + then.turn_radps);
+    body.p_WB +=
+        0.5 * kMoment_s * (now.speed_mps + then.speed_mps) * direction(body.yaw_WB_rad + 0.5 * turned);
+    body.yaw_WB_rad += turned;
+    now = then;
+    seconds += kMoment_s;
+    there = body;
+  }
+  return course;
+}
+
+/// How far two robots are apart: their axles, and their bodies where these could touch.
+struct Spacing {
+  double axles_m = 0.0;
+  double bodies_m = 0.0;
+};
+
+Spacing spacing(const Body& one, const Body& other, double swept_m, const Config& config) {
+  const double axles = (one.p_WB - other.p_WB).norm();
+  const double apart = axles - 2.0 * swept_m;  // of the circles in which the bodies turn
+  return {axles, apart > config.keep_clear_m ? apart : distance_m(one, other, config)};
+}
+
+/// The robots that matter, and where they will be.
+class Scene {
+ public:
+  Scene(const Perception& seen, const Movement& now, const Config& config)
+      : self_{seen.p_WB, seen.yaw_WB_rad},
+        now_{now},
+        config_{config},
+        swept_m_{std::hypot(std::max(config.body_ahead_m, config.body_length_m - config.body_ahead_m),
+                            0.5 * config.body_width_m)} {
+    for (const Neighbour& robot : seen.robots) {
+      if (seen.distance_to(robot.p_WB) > kConcerns_m) continue;
+      const Body body{robot.p_WB, robot.yaw_WB_rad};
+      const Movement moves{robot.speed_mps, robot.turn_radps};
+      const Spacing spaced = spacing(self_, body, swept_m_, config_);
+      const double keeps = config_.keep_clear_m;
+      const double turns = 2.0 * swept_m_ + keeps;
+      const Spacing wanted{std::min(turns, spaced.axles_m),
+                           spaced.bodies_m < keeps ? kMayLose * spaced.bodies_m : keeps};
+      others_.push_back({wanted, course_of(body, moves, moves)});
+    }
+  }
+
+  [[nodiscard]] bool is_empty() const { return others_.empty(); }
+
+  /// How much too near the movement comes to a robot, at worst; 0: it is safe.
+  [[nodiscard]] double lack_m(const Movement& movement) const {
+    double most = 0.0;
+    const Course course = course_of(self_, now_, movement);
+    for (const Other& other : others_) {
+      for (std::size_t i = 0; i < kMoments; ++i) {
+        const Spacing there = spacing(course[i], other.course[i], swept_m_, config_);
+        most = std::max({most, other.wanted.axles_m - there.axles_m,
+                         kBodiesMatter * (other.wanted.bodies_m - there.bodies_m)});
+      }
+    }
+    return most;
+  }
+
+ private:
+  struct Other {
+    Spacing wanted;
+    Course course;
+  };
+  Body self_;
+  Movement now_;
+  const Config& config_;
+  double swept_m_;
+  std::vector<Other> others_;
+};
+
+struct Candidate {
+  Movement movement;
+  double cost;
+};
+
+/// Other movements, the most alike first. Of two alike the one further to the left: that is the rule for
+/// meetings.
+std::vector<Candidate> alternatives(const Movement& wanted, const Config& config) {
+  const double slow = config.slow_mps;
+  const std::array<double, 6> speeds = {wanted.speed_mps, 0.6 * wanted.speed_mps, slow, 0.5 * slow, 0.0,
+                                        -0.5 * slow};
+  const std::array<double, 8> turns = {wanted.turn_radps, 0.0, 0.7, -0.7, 1.4, -1.4, 2.5, -2.5};
+  std::vector<Candidate> result;
+  result.reserve(speeds.size() * turns.size());
+  for (const double speed : speeds) {
+    if (std::abs(speed) > std::max(std::abs(wanted.speed_mps), slow)) continue;
+    for (const double turn : turns) {
+      const double slower = (wanted.speed_mps - speed) / 0.5;
+      const double turned = (turn - wanted.turn_radps) / 2.0;
+      const double against = speed * wanted.speed_mps < 0.0 ? 0.5 : 0.0;
+      const double rightwards = turned < 0.0 ? 0.05 : 0.0;
+      result.push_back({{speed, turn}, slower * slower + turned * turned + against + rightwards});
+    }
+  }
+  std::ranges::stable_sort(result, {}, &Candidate::cost);
+  return result;
+}
+
+bool has_room(const Movement& movement, const Perception& seen, const Config& config) {
+  if (movement.speed_mps > 0.0) {
+    return free_ahead_m(seen.still, config, std::clamp(0.3 * movement.turn_radps, -0.5, 0.5)) > kRoom_m;
+  }
+  return movement.speed_mps == 0.0 || free_behind_m(seen.still, config) > kRoom_m;
+}
+
+}  // namespace
+
+Wheels keep_clear(const Wheels& wanted, const Movement& now, const Perception& seen, const Config& config) {
+  const Scene scene{seen, now, config};
+  if (scene.is_empty()) return wanted;
+  const Movement movement = movement_of(wanted, config);
+  double least = scene.lack_m(movement);
+  if (least <= kNothing_m) return wanted;
+  Movement best{};
+  least = scene.lack_m(best);
+  for (const Candidate& candidate : alternatives(movement, config)) {
+    if (!has_room(candidate.movement, seen, config)) continue;
+    const double lack = scene.lack_m(candidate.movement);
+    if (lack <= kNothing_m)
+      return wheels_for(candidate.movement.speed_mps, candidate.movement.turn_radps, config);
+    if (lack >= least) continue;
+    least = lack;
+    best = candidate.movement;
+  }
+  return wheels_for(best.speed_mps, best.turn_radps, config);
+}
+
+}  // namespace caravan::agent

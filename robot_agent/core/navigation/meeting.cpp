@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/navigation/meeting.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace caravan::agent {
+namespace {
+
+constexpr double kAhead_rad = 1.2;
+constexpr double kStands_mps = 0.1;
+constexpr double kComes = -0.5;  // cosine between the two directions of driving
+constexpr double kSoon_s = 2.5;
+
+}  // namespace
+
+std::optional<Meeting> find_meeting(double bearing_rad, double speed_mps, const Perception& seen,
+                                    const Config& config) {
+  const Point driving = direction(seen.yaw_WB_rad + bearing_rad);
+  const double body = std::hypot(0.5 * config.body_length_m, 0.5 * config.body_width_m);
+  const double wide = 0.5 * config.body_width_m + body + config.keep_clear_m;
+  std::optional<Meeting> first;
+  double first_s = kSoon_s;
+  for (const Neighbour& robot : seen.robots) {
+    const Point apart = robot.p_WB - seen.p_WB;
+    if (std::abs(wrapped(angle_of(apart) - seen.yaw_WB_rad - bearing_rad)) > kAhead_rad) continue;
+    const Point theirs = robot.speed_mps * direction(robot.yaw_WB_rad);
+    const bool stands = std::abs(robot.speed_mps) < kStands_mps;
+    if (!stands && theirs.dot(driving) > kComes * std::abs(robot.speed_mps)) continue;
+    const Point closing = speed_mps * driving - theirs;
+    const double passes = cross(closing, apart) / closing.norm();
+    if (std::abs(passes) > wide) continue;
+    const double in_s = apart.dot(closing) / closing.squaredNorm();
+    if (in_s < 0.0 || in_s >= first_s) continue;
+    first_s = in_s;
+    first = Meeting{robot, passes};
+  }
+  return first;
+}
+
+}  // namespace caravan::agent

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/sensing/neighbours.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "robot_agent/core/angle.hpp"
+
+namespace caravan::agent {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Time kRemembers = 400ms;
+constexpr Time kMovesOn = 200ms;       // who has not been heard for longer may have stopped
+constexpr double kFarthest_m = 1.0e6;  // from the origin
+
+std::int16_t thousandths(double value) {
+  constexpr double kMost = std::numeric_limits<std::int16_t>::max();
+  return static_cast<std::int16_t>(std::lround(std::clamp(1000.0 * value, -kMost, kMost)));
+}
+
+Neighbour moved_on(Neighbour neighbour, Time span) {
+  const double dt = std::chrono::duration<double>(span).count();
+  const double turned = dt * neighbour.turn_radps;
+  neighbour.p_WB += dt * neighbour.speed_mps * direction(neighbour.yaw_WB_rad + 0.5 * turned);
+  neighbour.yaw_WB_rad = wrapped(neighbour.yaw_WB_rad + turned);
+  return neighbour;
+}
+
+}  // namespace
+
+Neighbours::Neighbours(const Config& config)
+    : remembers_{std::max(kRemembers, config.wait_period + config.wait_period / 5)} {}
+
+void Neighbours::hear(const Wait& wait, Time sent) {
+  if (!wait.whereabouts) return;
+  const Whereabouts& place = *wait.whereabouts;
+  const Told told{{wait.from,
+                   {0.001 * place.at.x_mm, 0.001 * place.at.y_mm},
+                   0.001 * place.yaw_mrad,
+                   0.001 * place.speed_mmps,
+                   0.001 * place.turn_mradps},
+                  sent};
+  const auto found =
+      std::ranges::lower_bound(told_, wait.from, {}, [](const Told& t) { return t.neighbour.id; });
+  if (found != told_.end() && found->neighbour.id == wait.from) {
+    *found = told;
+  } else {
+    told_.insert(found, told);
+  }
+}
+
+std::vector<Neighbour> Neighbours::now(Time now) {
+  std::erase_if(told_, [&](const Told& told) { return now - told.at > remembers_; });
+  std::vector<Neighbour> result;
+  result.reserve(told_.size());
+  for (const Told& told : told_) {
+    result.push_back(
+        moved_on(told.neighbour, std::min(now - told.at, std::max(kMovesOn, remembers_ - kMovesOn))));
+  }
+  return result;
+}
+
+std::optional<Whereabouts> whereabouts_of(const Sensors& sensors, double speed_mps, double turn_radps) {
+  const Point& p = sensors.p_WB;
+  if (!(std::abs(p.x()) < kFarthest_m && std::abs(p.y()) < kFarthest_m)) return std::nullopt;
+  if (!std::isfinite(sensors.yaw_WB_rad)) return std::nullopt;
+  return Whereabouts{{static_cast<std::int32_t>(std::lround(1000.0 * p.x())),
+                      static_cast<std::int32_t>(std::lround(1000.0 * p.y()))},
+                     thousandths(wrapped(sensors.yaw_WB_rad)),
+                     thousandths(speed_mps),
+                     thousandths(turn_radps)};
+}
+
+}  // namespace caravan::agent

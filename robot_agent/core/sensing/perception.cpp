@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/sensing/perception.hpp"
+
+#include <algorithm>
+
+#include "robot_agent/core/body.hpp"
+
+namespace caravan::agent {
+namespace {
+
+// An echo this near to a robot's body is that robot's; the sonar does not say where in its cone.
+constexpr double kExplains_m = 0.1;
+constexpr double kExplainsPerMetre = 0.2;
+
+}  // namespace
+
+Perception perceive(Time now, const Sensors& sensors, bool robot_near, std::vector<Neighbour> robots,
+                    const Config& config) {
+  const Surroundings around{sensors, config};
+  const Point ahead = direction(sensors.yaw_WB_rad);
+  const Surroundings still = around.without([&](const Point& p_B) {
+    const Point p_W = sensors.p_WB + p_B.x() * ahead + p_B.y() * Point{-ahead.y(), ahead.x()};
+    return std::ranges::any_of(robots, [&](const Neighbour& robot) {
+      const double blur = kExplains_m + kExplainsPerMetre * p_B.norm();
+      return distance_m(Body{robot.p_WB, robot.yaw_WB_rad}, p_W, config) < blur;
+    });
+  });
+  return {now,        sensors.p_WB, sensors.yaw_WB_rad, sensors.holding,
+          robot_near, around,       std::move(robots),  still};
+}
+
+}  // namespace caravan::agent

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/navigation/keep_clear.hpp"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+#include "robot_agent/core/body.hpp"
+#include "robot_agent/core/navigation/meeting.hpp"
+#include "tests/support/sonar_model.hpp"
+
+namespace caravan::agent {
+namespace {
+
+using namespace std::chrono_literals;
+using test::Wall;
+
+constexpr double kPi = std::numbers::pi;
+constexpr Wheels kCruise{0.975, 0.975};
+constexpr Wheels kTurnsLeft{-0.4, 0.4};
+
+Perception among(std::vector<Neighbour> robots, std::span<const Wall> walls = {}) {
+  Perception seen = test::look(walls, {0, 0}, 0.0);
+  seen.robots = std::move(robots);
+  return seen;
+}
+
+Neighbour standing(const Point& at, double yaw_rad) { return {RobotId{7}, at, yaw_rad, 0.0, 0.0}; }
+
+TEST(BodyDistance, IsThatBetweenTheRectangles) {
+  const Config config;
+  const Body here{{0, 0}, 0.0};  // from -0.285 to 0.2 along, 0.1905 to both sides
+  EXPECT_NEAR(distance_m(here, Body{{1.0, 0.0}, kPi}, config), 0.6, 1e-9) << "front to front";
+  EXPECT_NEAR(distance_m(here, Body{{0.0, 0.5}, 0.0}, config), 0.119, 1e-9) << "side by side";
+  EXPECT_NEAR(distance_m(here, Body{{1.0, 0.0}, 0.5 * kPi}, config), 0.6095, 1e-9) << "front to side";
+  EXPECT_EQ(distance_m(here, Body{{0.3, 0.1}, 0.7}, config), 0.0) << "overlapping";
+  EXPECT_NEAR(distance_m(here, Point{0.5, 0.5905}, config), 0.5, 1e-9);
+}
+
+TEST(KeepClear, ChangesNothingWithNobodyNear) {
+  EXPECT_EQ(keep_clear(kCruise, {}, among({}), {}), kCruise);
+  EXPECT_EQ(keep_clear(kCruise, {}, among({standing({1.9, 0}, 0.0)}), {}), kCruise);
+}
+
+TEST(KeepClear, DoesNotDriveOnTowardsARobotThatIsTooNear) {
+  const Config config;
+  for (const double distance_m : {0.42, 0.5, 0.6}) {
+    const Wheels allowed = keep_clear(kCruise, {}, among({standing({distance_m, 0}, 0.5 * kPi)}), config);
+    EXPECT_LE(0.5 * (allowed.left_mps + allowed.right_mps), 1e-9) << distance_m;
+  }
+}
+
+TEST(KeepClear, DoesNotTurnOnTheSpotIntoARobotBeside) {
+  const Neighbour beside = standing({0.0, -0.45}, 0.0);
+  const Wheels allowed = keep_clear(kTurnsLeft, {}, among({beside}), {});
+  EXPECT_NE(allowed, kTurnsLeft) << "the rear corner on the right would hit it";
+  EXPECT_EQ(keep_clear(kTurnsLeft, {}, among({standing({0.0, -0.7}, 0.0)}), {}), kTurnsLeft)
+      << "room to turn";
+}
+
+TEST(KeepClear, LeavesARobotThatTouchesIt) {
+  const Wheels backwards{-0.29, -0.29};
+  EXPECT_EQ(keep_clear(backwards, {}, among({standing({0.41, 0.0}, kPi)}), {}), backwards);
+}
+
+TEST(KeepClear, FollowsARobotThatDrivesAhead) {
+  Neighbour ahead = standing({0.9, 0.0}, 0.0);
+  ahead.speed_mps = 0.6;
+  const Wheels allowed = keep_clear({0.6, 0.6}, {0.6, 0.0}, among({ahead}), {});
+  EXPECT_EQ(allowed, (Wheels{0.6, 0.6}));
+}
+
+TEST(KeepClear, DoesNotEscapeIntoAWall) {
+  const std::vector<Wall> walls = {{{-0.45, -1.0}, {-0.45, 1.0}}};
+  Neighbour comes = standing({0.75, 0.0}, kPi);
+  comes.speed_mps = 0.6;
+  const Wheels allowed = keep_clear(kCruise, {}, among({comes}, walls), {});
+  EXPECT_GE(allowed.left_mps + allowed.right_mps, 0.0);
+}
+
+TEST(Meeting, BothFindTheSameSideToPassOn) {
+  const Config config;
+  Neighbour comes = standing({1.8, 0.4}, kPi);
+  comes.speed_mps = config.cruise_mps;
+  const auto mine = find_meeting(0.0, config.cruise_mps, among({comes}), config);
+  Perception other = among({{RobotId{3}, {0, 0}, 0.0, config.cruise_mps, 0.0}});
+  other.p_WB = comes.p_WB;
+  other.yaw_WB_rad = kPi;
+  const auto theirs = find_meeting(0.0, config.cruise_mps, other, config);
+  ASSERT_TRUE(mine && theirs);
+  EXPECT_NEAR(mine->passes_m, 0.4, 1e-9) << "on my left";
+  EXPECT_NEAR(theirs->passes_m, mine->passes_m, 1e-9) << "and I on its left";
+}
+
+TEST(Meeting, OneThatDrivesAheadOrPassesWideOrIsBehindIsNotMet) {
+  const Config config;
+  Neighbour ahead = standing({1.0, 0.0}, 0.2);
+  ahead.speed_mps = 0.5;
+  EXPECT_FALSE(find_meeting(0.0, config.cruise_mps, among({ahead}), config));
+  EXPECT_FALSE(find_meeting(0.0, config.cruise_mps, among({standing({1.0, 1.0}, 0.0)}), config));
+  EXPECT_FALSE(find_meeting(0.0, config.cruise_mps, among({standing({-1.0, 0.0}, 0.0)}), config));
+  EXPECT_TRUE(find_meeting(0.0, config.cruise_mps, among({standing({1.0, 0.3}, 0.0)}), config));
+}
+
+TEST(Neighbours, MoveOnAsTheyToldAndAreForgottenWhenTheyFallSilent) {
+  Neighbours neighbours{{}};
+  Wait wait;
+  wait.from = RobotId{7};
+  wait.whereabouts = Whereabouts{{1000, 2000}, 0, 500, 0};
+  neighbours.hear(wait, 10s);
+  wait.from = RobotId{3};
+  wait.whereabouts = Whereabouts{{-1000, 0}, 1571, 0, 0};
+  neighbours.hear(wait, 10s);
+  wait.from = RobotId{5};
+  wait.whereabouts.reset();
+  neighbours.hear(wait, 10s);
+  const auto soon = neighbours.now(10s + 100ms);
+  ASSERT_EQ(soon.size(), 2U);
+  EXPECT_EQ(soon[0].id, RobotId{3});
+  EXPECT_EQ(soon[1].id, RobotId{7});
+  EXPECT_NEAR(soon[1].p_WB.x(), 1.05, 1e-9);
+  EXPECT_TRUE(neighbours.now(12s).empty());
+}
+
+TEST(Neighbours, WhoDoesNotKnowWhereItIsTellsNothing) {
+  Sensors sensors;
+  EXPECT_TRUE(whereabouts_of(sensors, 0.1, 0.2));
+  sensors.p_WB.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(whereabouts_of(sensors, 0.1, 0.2));
+  sensors.p_WB.x() = 1e9;
+  EXPECT_FALSE(whereabouts_of(sensors, 0.1, 0.2)) << "does not fit the frame";
+}
+
+TEST(Perception, AnEchoOfARobotThatToldWhereItIsIsNotAnObstacle) {
+  const std::vector<Wall> walls = {{{0.9, -0.2}, {0.9, 0.2}}};
+  Sensors sensors;
+  sensors.sonar_range_m = test::sonar_ranges_m(walls, {0, 0}, 0.0);
+  const Corridor ahead{};
+  const Perception alone = perceive(0s, sensors, true, {}, {});
+  EXPECT_LT(alone.still.clearance_m(ahead), 1.0);
+  const Perception told = perceive(0s, sensors, true, {standing({1.1, 0.0}, kPi)}, {});
+  EXPECT_LT(told.around.clearance_m(ahead), 1.0);
+  EXPECT_GT(told.still.clearance_m(ahead), 4.0);
+}
+
+}  // namespace
+}  // namespace caravan::agent
