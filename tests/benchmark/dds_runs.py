@@ -8,6 +8,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 from collections.abc import Iterator
 
@@ -47,9 +48,11 @@ def receiving_share(robots: int) -> float:
 def cpu_seconds_of(line: list) -> tuple[str, float]:
     """What a command prints, and the processor time of it and its children."""
     before = os.times()
-    text = subprocess.run(line, check=True, capture_output=True, text=True).stdout
+    done = subprocess.run(line, stdout=subprocess.PIPE, text=True)  # what it complains of is shown
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, line))} ended with exit code {done.returncode}")
     after = os.times()
-    return text, after.children_user + after.children_system - before.children_user - before.children_system
+    return done.stdout, after.children_user + after.children_system - before.children_user - before.children_system
 
 
 def pipe_run(programs: pathlib.Path, robots: int, steps: int, world_us: float) -> tuple[float, float]:
