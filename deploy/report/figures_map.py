@@ -68,8 +68,8 @@ def draw_tracks(runs: ByMode) -> Figure:
         robots = max(robots, run.robots)
         world_map.draw(axes, run.scenario)
         for index in range(run.robots):
-            axes.plot(run.tracks[:, index, 0], run.tracks[:, index, 1], color=style.robot_colour(index + 1), linewidth=0.35,
-                      alpha=0.8, zorder=5, rasterized=True)
+            axes.plot(run.tracks[:, index, 0], run.tracks[:, index, 1], color=style.robot_colour(index + 1),
+                      linewidth=0.35, alpha=0.8, zorder=5, rasterized=True)
         axes.set_title(f"{style.MODE_NAMES[mode]}\n{run.end_s / 60:.0f} minutes")
     robot_legend(fig, robots)
     return fig

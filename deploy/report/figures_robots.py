@@ -118,8 +118,8 @@ def stack(axes, rows: dict[str, np.ndarray], names, colours: dict[str, str], lea
 
 
 def budget_caption(runs: ByMode) -> str:
-    text = ("Left: what the robots did, from start to end, mean over runs and robots; time in which a robot got nowhere "
-            "for a minute is stuck, whatever it did.")
+    text = ("Left: what the robots did, from start to end, mean over runs and robots; time in which a robot got "
+            "nowhere for a minute is stuck, whatever it did.")
     if any(budget(those) for those in runs.values()):
         text += (" Right: what a round trip's time went into; at cruise speed is what its path would take without any "
                  "slowing down, slower than cruise the rest of its driving: turning, keeping distance, detours.")
@@ -128,8 +128,8 @@ def budget_caption(runs: ByMode) -> str:
 
 PICTURES = (
     Picture("items_per_robot", "Items of each robot",
-            lambda runs: "Above: the run of median time of each mode. Below: all runs, robots sorted by their items; bar: "
-            "median, whisker: quartiles." if any(len(those) > 1 for those in runs.values())
+            lambda runs: "Above: the run of median time of each mode. Below: all runs, robots sorted by their items; "
+            "bar: median, whisker: quartiles." if any(len(those) > 1 for those in runs.values())
             else "Items delivered by each robot.", draw_items_per_robot),
     Picture("round_trips", "Round-trip times",
             lambda runs: "Share of the round trips that took less than a time; dot: their mean. "

@@ -14,7 +14,8 @@ from style import MODE_NAMES
 LOOKS = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
 h1 { font-size: 1.6rem; margin-bottom: 0; } h2 { font-size: 1.15rem; margin: 2.2rem 0 0.4rem; }
-figure { margin: 0; } figure svg { max-width: 100%; height: auto; } figcaption, .note { color: #555; font-size: 0.88rem; }
+figure { margin: 0; } figure svg { max-width: 100%; height: auto; }
+figcaption, .note { color: #555; font-size: 0.88rem; }
 table { border-collapse: collapse; font-size: 0.85rem; font-variant-numeric: tabular-nums; }
 th, td { padding: 0.2rem 0.8rem 0.2rem 0; text-align: left; border-bottom: 1px solid #e2e2e2; vertical-align: top; }
 .bad { color: #a3290b; } nav a { margin-right: 1em; } .wide { overflow-x: auto; }
@@ -49,8 +50,8 @@ def _counts(runs) -> str:
 
 
 def run_table(runs: ByMode) -> str:
-    names = ("mode", "seed", "state", "items", "time, min", "found", "received", "without", "exchanges", "failed", "routes",
-             "folder")
+    names = ("mode", "seed", "state", "items", "time, min", "found", "received", "without", "exchanges", "failed",
+             "routes", "folder")
     rows = [f"<tr>{''.join(f'<th>{name}</th>' for name in names)}</tr>"]
     for mode, those in runs.items():
         for run in those:
@@ -79,7 +80,8 @@ def page(title: str, runs: ByMode, skipped: list[Skipped], drawn: list[tuple[Pic
     written = datetime.datetime.now().strftime("%Y-%m-%d %H:%M")
     links = "".join(f'<a href="#{picture.name}">{html.escape(picture.title)}</a>' for picture, _ in drawn)
     figures = "".join(
-        f'<h2 id="{picture.name}">{html.escape(picture.title)}</h2><figure>{named_apart(inline_svg(file), picture.name)}'
+        f'<h2 id="{picture.name}">{html.escape(picture.title)}</h2>'
+        f"<figure>{named_apart(inline_svg(file), picture.name)}"
         f"<figcaption>{html.escape(picture.caption(runs))} Files: figures/{picture.name}.svg and .png"
         "</figcaption></figure>" for picture, file in drawn)
     left_out = f', <a class="bad" href="#skipped">{len(skipped)} skipped</a>' if skipped else ""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from records import MODES, Run, Trip
+from traffic import losses
 
 
 @dataclass(frozen=True)
@@ -66,12 +67,25 @@ def share_of_time(run: Run, activity: str) -> float:
     return 100 * spent / max(run.robots * run.end_s, 1e-9)
 
 
+def lost_to_traffic(run: Run) -> float | None:
+    """Per cent of the time that robots had a path: what they fell short of cruise speed beside another robot."""
+    with_path_s = sum(run.end_s - got for got in run.got_path_s() if got is not None)
+    found = losses(run)
+    return 100 * float(np.sum(found.lost_s[found.beside])) / with_path_s if with_path_s > 0 else None
+
+
 def last_items_per_minute(run: Run, items: int) -> float | None:
     """Over the last so many deliveries; None when there were not twice as many, so that the start stays out."""
     if len(run.deliveries) < 2 * items:
         return None
     times = np.sort(run.deliveries)
     return 60 * items / (times[-1] - times[-1 - items])
+
+
+def exchanges_per_minute(run: Run) -> float | None:
+    """Completed and failed, over the time in which they were allowed."""
+    allowed_s = run.end_s - run.scenario.get("algorithm", {}).get("sharing_starts_s", 900.0)
+    return 60 * len(run.exchanges) / allowed_s if run.mode != "none" and allowed_s > 0 else None
 
 
 QUANTITIES = (
@@ -93,9 +107,12 @@ QUANTITIES = (
     Quantity("most items of a robot", lambda run: max(robot["items"] for robot in run.metrics["per_robot"])),
     Quantity("exchanges completed", lambda run: run.metrics["exchanges"]["completed"]),
     Quantity("exchanges failed", lambda run: run.metrics["exchanges"]["failed"]),
+    Quantity("exchanges a minute once allowed", exchanges_per_minute, 1),
     Quantity("mean duration of an exchange, s",
              lambda run: run.metrics["exchanges"]["mean_duration_s"] if len(run.reports) else None, 2),
     Quantity("contacts of robots", lambda run: run.metrics["contacts"]["robot_robot"]),
+    Quantity("contacts with something static", lambda run: run.metrics["contacts"]["robot_static"]),
+    Quantity("time with a path lost beside another robot, %", lost_to_traffic, 1),
     Quantity("time driving, %", lambda run: share_of_time(run, "driving"), 1),
     Quantity("time exchanging, %", lambda run: share_of_time(run, "exchanging"), 2),
     Quantity("time avoiding, %", lambda run: share_of_time(run, "avoiding"), 1),
@@ -112,7 +129,7 @@ def summary(quantity: Quantity, runs: list[Run]) -> str:
     """Median (least to most) of the runs that have the number, and how many have not."""
     known = values(quantity, runs)
     if not known:
-        return "-"
+        return f"-; {len(runs)} of {len(runs)} without"
     least, most = (f"{value:.{quantity.decimals}f}" for value in (min(known), max(known)))
     counts = all(value.is_integer() for value in known)
     half = 1 if counts and not float(np.median(known)).is_integer() else quantity.decimals

@@ -27,8 +27,8 @@ from picture import ByMode, Picture  # noqa: E402
 from quantities import by_mode  # noqa: E402
 
 # In the order of the paper's figures 8 to 13, then those that it has not.
-ORDER = ("final_paths", "final_paths_all_runs", "tracks", "items_per_robot", "robots_with_path", "items_over_time", "traffic_map",
-         "exchanges_over_time", "path_length_over_time", "round_trips", "time_budget")
+ORDER = ("final_paths", "final_paths_all_runs", "tracks", "items_per_robot", "robots_with_path", "items_over_time",
+         "traffic_map", "exchanges_over_time", "path_length_over_time", "round_trips", "time_budget")
 PICTURES = {picture.name: picture
             for picture in (*figures_map.PICTURES, *figures_time.PICTURES, *figures_robots.PICTURES)}
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Time that robots lose beside other robots.
 
-A robot that has a path could drive at cruise speed all the time. In each recorded second it loses the part of the second
-that its displacement falls short of that. What it loses with another robot within the radio's range is put down to
-traffic. A robot that turns round at source or destination loses time as well; beside another robot that counts here."""
+A robot that has a path could drive at cruise speed all the time. In each recorded second it loses the part of the
+second that its displacement falls short of that. What it loses with another robot within the radio's range is put down
+to traffic. A robot that turns round at source or destination loses time as well; beside another robot that counts."""
 
 from dataclasses import dataclass
 

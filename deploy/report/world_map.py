@@ -41,8 +41,8 @@ def draw(axes: Axes, scenario: dict) -> None:
         x, y = robots.get(key, (0.0, 0.0))
         axes.plot(x, y, marker, color=style.INK, markersize=6.5, markeredgecolor="white", markeredgewidth=0.7, zorder=9)
         inwards = -1 if x > 0 else 1
-        label = axes.annotate(name, (x, y), textcoords="offset points", xytext=(5 * inwards, 6), fontsize=6.5, zorder=10,
-                              ha="left" if inwards > 0 else "right")
+        label = axes.annotate(name, (x, y), textcoords="offset points", xytext=(5 * inwards, 6), fontsize=6.5,
+                              zorder=10, ha="left" if inwards > 0 else "right")
         label.set_bbox({"facecolor": "white", "alpha": 0.75, "pad": 0.8, "edgecolor": "none"})
     axes.set_aspect("equal")
     axes.set_xlim(-width / 2 - 0.4, width / 2 + 0.4)

@@ -68,7 +68,8 @@ def make_run(folder: pathlib.Path, mode: str = "full", seed: int = 1, **changes)
         "10.000,1,delivery,items=1\n18.000,2,delivery,items=2\n")
     (folder / "paths.csv").write_text("robot,index,x_m,y_m\n1,0,-4.0000,0.0000\n1,1,4.0000,0.0000\n"
                                       "2,0,-4.0000,0.0000\n2,1,0.0000,2.0000\n2,2,4.0000,0.0000\n")
-    (folder / "activities.csv").write_text("time_s,robot,activity\n0.000,1,driving\n7.500,1,exchanging\n8.000,1,driving\n"
-                                           "11.000,1,avoiding\n13.000,1,driving\n0.000,2,driving\n")
+    (folder / "activities.csv").write_text(
+        "time_s,robot,activity\n0.000,1,driving\n7.500,1,exchanging\n8.000,1,driving\n11.000,1,avoiding\n"
+        "13.000,1,driving\n0.000,2,driving\n")
     (folder / "path_lengths.csv").write_text("time_s,robot,length_m\n4.000,1,20.000\n12.000,1,8.000\n8.000,2,9.000\n")
     return folder

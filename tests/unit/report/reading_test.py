@@ -16,7 +16,8 @@ import series  # noqa: E402
 import traffic  # noqa: E402
 from find_runs import read_all  # noqa: E402
 from made_runs import make_run, metrics, robot  # noqa: E402
-from quantities import QUANTITIES, by_mode, last_items_per_minute, round_trip_s, summary, typical  # noqa: E402
+from quantities import (QUANTITIES, by_mode, exchanges_per_minute, last_items_per_minute,  # noqa: E402
+                        lost_to_traffic, round_trip_s, summary, typical)
 from records import BrokenRun, read_run  # noqa: E402
 from trip_budget import PARTS, budget, time_in  # noqa: E402
 
@@ -54,8 +55,10 @@ class Reading(InAFolder):
         self.assertIsNone(budget([run]))
 
     def test_says_what_is_wrong_with_a_broken_run(self) -> None:
-        for name, text, reason in (("metrics.json", '{"mode": ', "cut off"), ("metrics.json", '{"mode": "full"}', "no seed"),
-                                   ("scenario.toml", "name = ", "cannot be read"), ("tracks.csv", "time_s,robot\n", "empty"),
+        for name, text, reason in (("metrics.json", '{"mode": ', "cut off"),
+                                   ("metrics.json", '{"mode": "full"}', "no seed"),
+                                   ("scenario.toml", "name = ", "cannot be read"),
+                                   ("tracks.csv", "time_s,robot\n", "empty"),
                                    ("events.csv", "time_s,robot\n1.0\n", "events.csv:2"),
                                    ("paths.csv", "robot,index,x_m,y_m\n1,0,here,0\n", "cannot be read")):
             with self.subTest(name=name, text=text):
@@ -121,6 +124,10 @@ class Numbers(InAFolder):
     def test_round_trips_end_with_the_next_pick_up(self) -> None:
         self.assertEqual(round_trip_s(read_run(make_run(self.folder / "run"))), [8.0])
 
+    def test_exchanges_per_minute_are_over_the_time_in_which_they_were_allowed(self) -> None:
+        self.assertAlmostEqual(exchanges_per_minute(read_run(make_run(self.folder / "run"))), 60 * 2 / 15)
+        self.assertIsNone(exchanges_per_minute(read_run(make_run(self.folder / "none", "none"))))
+
     def test_items_per_minute_leaves_out_the_start(self) -> None:
         run = read_run(make_run(self.folder / "run"))
         self.assertAlmostEqual(last_items_per_minute(run, 1), 60 / 8)
@@ -152,6 +159,9 @@ class Traffic(InAFolder):
         # Robot 1 drives at cruise speed. Robot 2 stands from 8 s on, 12 s; robot 1 is within 2 m of it at 9 to 11 s.
         self.assertAlmostEqual(float(np.sum(found.lost_s)), 12.0)
         self.assertAlmostEqual(float(np.sum(found.lost_s[found.beside])), 3.0)
+
+    def test_its_share_is_of_the_time_that_robots_had_a_path(self) -> None:
+        self.assertAlmostEqual(lost_to_traffic(read_run(make_run(self.folder / "run"))), 100 * 3 / (16 + 12))
 
     def test_the_map_holds_all_time_lost_beside_another_robot(self) -> None:
         runs = [read_run(make_run(self.folder / name)) for name in ("a", "b")]
