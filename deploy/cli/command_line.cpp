@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "deploy/control/run_ctl.hpp"
+#include "deploy/kit/run_script.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/process/version.hpp"
 
@@ -91,6 +92,17 @@ void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
   });
 }
 
+void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
+  deploy.add_option("script", command.script, "Script file (TOML)")->required();
+  deploy.add_option("--out", command.out, "Folder for the logs; must be new or empty");
+  deploy.add_option("--junit", command.junit, "Report in JUnit XML; without it junit.xml among the logs");
+  deploy.add_option("--domain", command.domain, "DDS domain; without it a free one is taken")
+      ->check(CLI::Range(0U, 232U));
+  deploy.add_flag("--check", command.check_only, "Check the script and start nothing");
+  deploy.add_flag("--quiet", command.quiet, "Print failures only");
+  deploy.footer(script_help());
+}
+
 Exit explain(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return {app.exit(error)};
   std::fprintf(stderr, "caravan: %s (see caravan --help)\n", error.what());
@@ -128,6 +140,9 @@ Command read_command_line(int argc, const char* const* argv) {
   add_transport(*ctl, ctl_command.transport);
   ctl->add_option("words", ctl_command.words, "What to ask")->required();
   ctl->footer(ctl_help());
+  DeployCommand deploy_command;
+  CLI::App* deploy = app.add_subcommand("deploy", "Run a scripted test of a deployment");
+  add_deploy_options(*deploy, deploy_command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -139,6 +154,7 @@ Command read_command_line(int argc, const char* const* argv) {
   if (sweep->parsed()) return sweep_command;
   if (report->parsed()) return report_command;
   if (ctl->parsed()) return ctl_command;
+  if (deploy->parsed()) return deploy_command;
   return run_command;
 }
 

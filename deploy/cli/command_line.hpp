@@ -61,13 +61,22 @@ struct CtlCommand {
   std::vector<std::string> words;  ///< as run_ctl() takes them
 };
 
+struct DeployCommand {
+  std::filesystem::path script;
+  std::optional<std::filesystem::path> out;
+  std::optional<std::filesystem::path> junit;
+  std::optional<std::uint32_t> domain;
+  bool check_only = false;
+  bool quiet = false;
+};
+
 /// Nothing is left to do: help or version was shown, or the command line was wrong and it was said why.
 struct Exit {
   int code = 0;
 };
 
-using Command =
-    std::variant<CheckCommand, RunCommand, DiffCommand, SweepCommand, ReportCommand, CtlCommand, Exit>;
+using Command = std::variant<CheckCommand, RunCommand, DiffCommand, SweepCommand, ReportCommand, CtlCommand,
+                             DeployCommand, Exit>;
 
 /// What the command line of `caravan` asks for. Errors are one line on standard error and exit code 2.
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);

@@ -7,6 +7,7 @@
 #include "deploy/cli/plan_sweep.hpp"
 #include "deploy/control/run_ctl.hpp"
 #include "deploy/embedded/run_embedded.hpp"
+#include "deploy/kit/run_script.hpp"
 #include "deploy/launcher/run_dds.hpp"
 #include "deploy/metrics/run_directory.hpp"
 #include "deploy/report/write_report.hpp"
@@ -81,6 +82,16 @@ int obey(const deploy::SweepCommand& command) { return sweep(command); }
 int obey(const deploy::ReportCommand& command) { return deploy::write_report(command.folders, command.out); }
 int obey(const deploy::CtlCommand& command) {
   return deploy::run_ctl(command.domain, command.transport, command.words);
+}
+int obey(const deploy::DeployCommand& command) {
+  runtime::Loop loop;
+  return deploy::run_script({.script = command.script,
+                             .out = command.out,
+                             .junit = command.junit,
+                             .domain = command.domain,
+                             .check_only = command.check_only,
+                             .quiet = command.quiet},
+                            loop);
 }
 
 }  // namespace

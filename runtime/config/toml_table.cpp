@@ -185,7 +185,8 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) {
   if (array == nullptr) fail_at(node, key, "must be an array of tables");
   for (const toml::node& element : *array) {
     if (!element.is_table()) fail_at(&element, key, "must be an array of tables");
-    result.emplace_back(file_, name_ + "." + std::string{key}, element.as_table());
+    result.emplace_back(file_, name_.empty() ? std::string{key} : name_ + "." + std::string{key},
+                        element.as_table());
   }
   return result;
 }

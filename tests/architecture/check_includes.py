@@ -8,7 +8,7 @@ import sys
 
 # What an include may be: a kind of outside header or a folder of the project.
 STD, POSIX, EIGEN, ODE, DDS, ROBOT_TYPES, TRUTH_TYPES = "std posix Eigen ode dds robot-types truth-types".split()
-TOML, JSON, LOG, CLI = "toml++ json spdlog CLI11".split()
+TOML, JSON, LOG, CLI, GTEST = "toml++ json spdlog CLI11 gtest".split()
 CONFIG = ["runtime/config", "runtime/scenario", "runtime/pure"]
 PROCESS = [STD, POSIX, LOG, "runtime", "idl"]
 
@@ -43,6 +43,7 @@ ALLOWED = {
     "deploy/sweep": [STD, POSIX, JSON, "runtime/config", "runtime/process", "deploy/metrics",
                      "deploy/launcher/children.hpp"],
     "deploy/report": [STD, POSIX, "runtime/config", "runtime/process"],
+    "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, GTEST, "deploy/control", "deploy/launcher"],
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/bus/transport.hpp", "deploy",
                    "robot_agent/config", "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium"],
@@ -61,7 +62,7 @@ GENERATED_FOR_ROBOTS = re.compile(r"(robot|stamp|clock)(PubSubTypes)?\.h$")
 GENERATED_FOR_TRUTH = re.compile(r"(world|control)(PubSubTypes)?\.h$")
 POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|poll|sched|pthread|signal|dirent|spawn|netdb|arpa/.*|netinet/.*)\.h$")
 OUTSIDE = {"Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr": DDS, "toml++": TOML,
-           "nlohmann": JSON, "spdlog": LOG, "CLI": CLI}
+           "nlohmann": JSON, "spdlog": LOG, "CLI": CLI, "gtest": GTEST}
 
 
 def kind_of(bracket, name, top_folders):

@@ -49,6 +49,12 @@ Answer Barrier::answer(std::uint32_t robot) {
   return Answer::kRevives;
 }
 
+void Barrier::answer_late(std::uint32_t robot) {
+  CARAVAN_ASSERT(robot >= 1 && robot <= robots_.size());
+  Standing& standing = robots_[robot - 1].standing;
+  if (standing == Standing::kGone || standing == Standing::kCoasting) standing = Standing::kJoined;
+}
+
 void Barrier::leave(Robot& robot, Wall now) {
   patient_since_ = now;
   robot.member = false;

@@ -48,6 +48,9 @@ class Barrier {
   /// A new step begins: its members are those that answered the one before.
   void open(Wall now);
   Answer answer(std::uint32_t robot);
+  /// An answer to a step that is over. A robot that was lost or coasted past is here again: from the next step on
+  /// it is a member, and awaited. Without this a robot that is slower than the others would never catch up.
+  void answer_late(std::uint32_t robot);
   void answer_radio();
   /// @return true when a member left the step, so that the members changed
   bool lose(std::uint32_t robot, Wall now);

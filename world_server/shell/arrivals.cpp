@@ -24,9 +24,10 @@ bool WorldShell::owns(std::optional<ParticipantId>& owner, const ParticipantId& 
 void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample,
                             const ParticipantId& sender) {
   const std::lock_guard lock{mutex_};
-  if (!is_current(sample.session(), idl::to_time(sample.stamp())) ||
-      !owns(robot_owners_[robot - 1], sender)) {
+  const bool is_ours = sample.session() == session_ && owns(robot_owners_[robot - 1], sender);
+  if (!is_ours || !is_current(sample.session(), idl::to_time(sample.stamp()))) {
     ++tallies_.stale_samples;
+    if (is_ours) barrier_.answer_late(robot);
     return;
   }
   const Sanitised safe = sanitise(sample.left_mps(), sample.right_mps(), config_.robots.wheel_limit_mps);

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/system/support/process.hpp"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <iostream>
-#include <set>
-#include <sstream>
 #include <thread>
+#include <utility>
 
 namespace caravan::test {
 namespace fs = std::filesystem;
@@ -23,62 +17,12 @@ bool pause_until_next_look(std::chrono::steady_clock::time_point deadline) {
   return true;
 }
 
-Process::Process(std::vector<std::string> arguments, fs::path log) : log_{std::move(log)} {
-  arguments[0] = std::string{CARAVAN_BIN_DIR} + "/" + arguments[0];
-  std::vector<char*> words;
-  for (std::string& argument : arguments) words.push_back(argument.data());
-  words.push_back(nullptr);
-  const int file = open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  pid_ = fork();
-  if (pid_ == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that crashes leaves no process behind
-    dup2(file, STDOUT_FILENO);
-    dup2(file, STDERR_FILENO);
-    execv(words[0], words.data());
-    _exit(127);
-  }
-  close(file);
-}
-
-Process::~Process() {
-  if (exit_code_) return;
-  kill(pid_, SIGKILL);
-  (void)wait(std::chrono::seconds{5});
-}
-
-std::optional<int> Process::wait(std::chrono::milliseconds patience) {
-  (void)eventually(
-      [this] {
-        int status = 0;
-        if (!exit_code_ && waitpid(pid_, &status, WNOHANG) == pid_) {
-          exit_code_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-        }
-        return exit_code_.has_value();
-      },
-      patience);
-  return exit_code_;
-}
-
-void Process::signal(int number) const {
-  if (!exit_code_) kill(pid_, number);
-}
-
-std::string Process::output() const { return read_file(log_); }
-
-bool Process::prints(const std::string& text, std::chrono::milliseconds patience) const {
-  return eventually([&] { return output().find(text) != std::string::npos; }, patience);
-}
-
-std::chrono::milliseconds Process::cpu_time() const {
-  std::string stat = read_file("/proc/" + std::to_string(pid_) + "/stat");
-  std::istringstream fields{stat.substr(stat.rfind(')') + 2)};
-  std::string skipped;
-  for (int i = 0; i < 11; ++i) fields >> skipped;
-  long user = 0;
-  long system = 0;
-  fields >> user >> system;
-  return std::chrono::milliseconds{(user + system) * 1000 / sysconf(_SC_CLK_TCK)};
-}
+Process::Process(std::vector<std::string> arguments, fs::path log)
+    : deploy::Process{[&] {
+                        arguments[0] = std::string{CARAVAN_BIN_DIR} + "/" + arguments[0];
+                        return std::move(arguments);
+                      }(),
+                      std::move(log)} {}
 
 ScratchFolder::ScratchFolder() {
   std::string pattern = fs::temp_directory_path() / "caravan_test_XXXXXX";
@@ -94,12 +38,7 @@ ScratchFolder::~ScratchFolder() {
   fs::remove_all(path_, error);
 }
 
-std::string read_file(const fs::path& file) {
-  std::ifstream in{file};
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+std::string read_file(const fs::path& file) { return deploy::read_whole_file(file); }
 
 void write_file(const fs::path& file, const std::string& text) { std::ofstream{file} << text; }
 

@@ -9,33 +9,16 @@
 #include <string>
 #include <vector>
 
+#include "deploy/kit/process.hpp"
+
 namespace caravan::test {
 
 /// One of our programs as a user starts it; killed when this goes out of scope.
-class Process {
+class Process : public deploy::Process {
  public:
   /// @param arguments  the first is the program's name in the folder of binaries
   /// @param log        receives its output and errors
   Process(std::vector<std::string> arguments, std::filesystem::path log);
-  ~Process();
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-
-  [[nodiscard]] pid_t pid() const { return pid_; }
-  /// The exit code (128 + n for signal n), none when it still runs after `patience`.
-  [[nodiscard]] std::optional<int> wait(std::chrono::milliseconds patience);
-  void signal(int number) const;
-  /// What it has printed so far.
-  [[nodiscard]] std::string output() const;
-  /// Whether `text` appears in its output within `patience`.
-  [[nodiscard]] bool prints(const std::string& text, std::chrono::milliseconds patience) const;
-  /// Processor time used so far.
-  [[nodiscard]] std::chrono::milliseconds cpu_time() const;
-
- private:
-  pid_t pid_ = -1;
-  std::filesystem::path log_;
-  std::optional<int> exit_code_;
 };
 
 /// Waits until `condition()` holds. @return false when it does not within `patience`

@@ -102,6 +102,28 @@ TEST(Barrier, TakesARobotBackFromTheStepAfterItsAnswer) {
   EXPECT_THAT(barrier.gone(), IsEmpty());
 }
 
+TEST(Barrier, TakesARobotBackThatAnswersTooLateForItsStep) {
+  Barrier barrier = under_way();
+  barrier.lose(2, kStart);
+  barrier.open(kStart);
+  barrier.answer_late(2);
+  EXPECT_THAT(barrier.members(), ElementsAre(1, 3));
+  EXPECT_THAT(barrier.gone(), IsEmpty());
+  barrier.open(kStart);
+  EXPECT_THAT(barrier.members(), ElementsAre(1, 2, 3));
+  barrier.answer(1);
+  barrier.answer(3);
+  EXPECT_FALSE(barrier.commands_in()) << "it is awaited again, so it catches up";
+}
+
+TEST(Barrier, ALateAnswerOfAMemberCountsForNothing) {
+  Barrier barrier = under_way();
+  barrier.answer_late(2);
+  barrier.answer(1);
+  barrier.answer(3);
+  EXPECT_FALSE(barrier.commands_in());
+}
+
 TEST(Barrier, HoldsAStepThatLostAllMembersUntilOneAnswers) {
   Barrier barrier = under_way({.robots = 2});
   barrier.lose(1, kStart);

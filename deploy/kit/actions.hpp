@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "control.h"
+#include "deploy/control/words.hpp"
+#include "deploy/kit/condition.hpp"
+
+namespace caravan::deploy {
+
+/// Something done to processes.
+struct ProcessAction {
+  enum class Kind : std::uint8_t { kStart, kKill, kStop, kSuspend, kContinue, kRestart };
+  Kind kind = Kind::kStart;
+  std::vector<std::string> names;  ///< world, radio, robot 3
+};
+/// Lets a world begin that waits for this observer.
+struct Go {};
+/// Holds the world before a step.
+struct HoldAt {
+  std::uint64_t step = 0;
+};
+/// Lets a paused world take single steps until a condition holds.
+struct StepUntil {
+  Condition condition;
+  std::uint64_t most = 0;  ///< steps
+};
+using DeployAction =
+    std::variant<ProcessAction, Go, HoldAt, StepUntil, caravan_interfaces::msg::ControlRequest>;
+
+struct ActionForm {
+  std::string_view form;
+  std::string_view meaning;
+};
+/// The table of actions; the forms of control_forms() belong to it too.
+[[nodiscard]] std::span<const ActionForm> action_forms();
+
+/// @param robots  how many there are
+/// @throws WordsError
+[[nodiscard]] DeployAction read_action(const std::string& line, std::uint32_t robots);
+
+}  // namespace caravan::deploy

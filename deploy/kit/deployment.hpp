@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "deploy/kit/actions.hpp"
+#include "deploy/kit/condition.hpp"
+#include "deploy/kit/ears.hpp"
+#include "deploy/kit/process.hpp"
+#include "deploy/kit/seen.hpp"
+#include "deploy/launcher/domain_lock.hpp"
+#include "deploy/launcher/shared_memory.hpp"
+
+namespace caravan::deploy {
+
+struct DeploymentOptions {
+  std::filesystem::path scenario;       ///< TOML file
+  std::string changes = {};             ///< TOML that is laid over it: `experiment.items = 10`
+  std::filesystem::path folder = {};    ///< exists; the effective scenario and the logs go there
+  std::filesystem::path binaries = {};  ///< folder of world_server and the others; empty: of this program
+  std::optional<std::uint32_t> domain = {};  ///< none: a free one
+  double lease_s = 2.0;                      ///< of every process: silent for so long, it counts as gone
+  bool hold_start = false;                   ///< the world begins only after the action `go`
+  std::map<std::string, std::vector<std::string>> arguments = {};  ///< further ones, by process name
+  std::function<bool()> is_interrupted = {};                       ///< ends every wait
+};
+
+/// What an action or an expectation led to.
+struct Result {
+  bool good = false;
+  std::string text;     ///< why not: what was waited for, and what was seen
+  double took_s = 0.0;  ///< wall time
+};
+
+/// World server, radio emulator and agents as real processes in a private DDS domain, under the hands of a
+/// test: start, kill, suspend, cut off, hold, teleport, and wait for what is expected to come of it.
+///
+/// Nothing runs before the first action `start`. Every wait has a deadline and says what it waited for. The
+/// end stops all processes and removes what they left in shared memory.
+class Deployment {
+ public:
+  /// @throws runtime::StartError when the scenario cannot be read or no domain is free
+  explicit Deployment(DeploymentOptions options);
+  ~Deployment();
+  Deployment(const Deployment&) = delete;
+  Deployment& operator=(const Deployment&) = delete;
+
+  /// Does one action of the table, as in `kill robot 2` or `teleport 3 1.0 -2.0`.
+  /// @throws WordsError when it is written wrong
+  Result act(const std::string& line);
+  /// Waits until `condition` holds.
+  /// @param name  what it means to the reader, for messages
+  Result expect(const std::string& name, const Condition& condition, std::chrono::milliseconds within);
+
+  [[nodiscard]] Seen seen();
+  [[nodiscard]] std::uint32_t domain() const { return lock_.domain(); }
+  [[nodiscard]] std::uint32_t robots() const { return robots_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return options_.folder; }
+
+ private:
+  struct Life {
+    std::unique_ptr<Process> process;
+    bool suspended = false;
+    int lives = 0;
+  };
+
+  Result do_to_processes(const ProcessAction& action);
+  void start(const std::string& name);
+  /// Sends the signal, and for those that end by it waits for that.
+  std::string signal(const std::string& name, ProcessAction::Kind kind);
+  std::string end(const std::string& name, int number, std::chrono::milliseconds patience);
+  Result ask(const caravan_interfaces::msg::ControlRequest& request);
+  Result hold_at(std::uint64_t step);
+  Result step_until(const StepUntil& action);
+  void note_shared_memory();
+  [[nodiscard]] std::string scene(const Seen& seen) const;
+  [[nodiscard]] bool is_running(const std::string& name);
+
+  DeploymentOptions options_;
+  std::filesystem::path scenario_file_;
+  std::uint32_t robots_ = 0;
+  DomainLock lock_;
+  SharedMemory memory_;
+  std::unique_ptr<Ears> ears_;
+  std::map<std::string, Life> lives_;
+  std::chrono::steady_clock::time_point noted_{};
+};
+
+}  // namespace caravan::deploy

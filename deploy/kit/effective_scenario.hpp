@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace caravan::deploy {
+
+/// The text of a scenario with `changes`, itself TOML, laid over it: tables key by key, everything else
+/// whole.
+/// @throws runtime::StartError when either cannot be read
+[[nodiscard]] std::string with_changes(const std::filesystem::path& scenario, const std::string& changes);
+
+}  // namespace caravan::deploy

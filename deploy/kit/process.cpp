@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/kit/process.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "runtime/config/start_error.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kLookPeriod{5};
+
+/// In the child between fork and exec: nothing but system calls.
+[[noreturn]] void become(const std::vector<char*>& arguments, int log) {
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  setpgid(0, 0);  // Ctrl-C at the terminal is for the parent, which stops everybody in order
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a parent that crashes leaves no process behind
+  dup2(log, STDOUT_FILENO);
+  dup2(log, STDERR_FILENO);
+  execv(arguments[0], arguments.data());
+  _exit(127);
+}
+
+template <typename Condition>
+bool eventually(Condition condition, std::chrono::milliseconds patience) {
+  const auto deadline = Clock::now() + patience;
+  while (!condition()) {
+    if (Clock::now() >= deadline) return condition();
+    std::this_thread::sleep_for(kLookPeriod);
+  }
+  return true;
+}
+
+}  // namespace
+
+Process::Process(std::vector<std::string> command_line, std::filesystem::path log) : log_{std::move(log)} {
+  std::vector<char*> words;
+  for (std::string& word : command_line) words.push_back(word.data());
+  words.push_back(nullptr);
+  const int file = open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file < 0) throw runtime::StartError{log_.string() + ": " + std::strerror(errno)};
+  pid_ = fork();
+  if (pid_ == 0) become(words, file);
+  close(file);
+  if (pid_ < 0) throw runtime::StartError{"cannot start " + command_line[0] + ": " + std::strerror(errno)};
+}
+
+Process::~Process() {
+  if (exit_code_) return;
+  kill(pid_, SIGKILL);
+  (void)wait(std::chrono::seconds{5});
+}
+
+std::optional<int> Process::wait(std::chrono::milliseconds patience) {
+  (void)eventually(
+      [this] {
+        int status = 0;
+        if (!exit_code_ && waitpid(pid_, &status, WNOHANG) == pid_) {
+          exit_code_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+        }
+        return exit_code_.has_value();
+      },
+      patience);
+  return exit_code_;
+}
+
+void Process::signal(int number) const {
+  if (!exit_code_) kill(pid_, number);
+}
+
+std::string Process::output() const { return read_whole_file(log_); }
+
+bool Process::prints(const std::string& text, std::chrono::milliseconds patience) const {
+  return eventually([&] { return output().find(text) != std::string::npos; }, patience);
+}
+
+std::chrono::milliseconds Process::cpu_time() const {
+  std::string stat = read_whole_file("/proc/" + std::to_string(pid_) + "/stat");
+  std::istringstream fields{stat.substr(stat.rfind(')') + 2)};
+  std::string skipped;
+  for (int i = 0; i < 11; ++i) fields >> skipped;
+  long user = 0;
+  long system = 0;
+  fields >> user >> system;
+  return std::chrono::milliseconds{(user + system) * 1000 / sysconf(_SC_CLK_TCK)};
+}
+
+std::string read_whole_file(const std::filesystem::path& file) {
+  std::ifstream in{file};
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+}  // namespace caravan::deploy

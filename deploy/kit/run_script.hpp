@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "runtime/process/loop.hpp"
+
+namespace caravan::deploy {
+
+/// `caravan deploy`: one script.
+struct ScriptRequest {
+  std::filesystem::path script;
+  std::optional<std::filesystem::path> out;    ///< for the logs; none: deployments/<script>-<time>
+  std::optional<std::filesystem::path> junit;  ///< report file; none: junit.xml among the logs
+  std::optional<std::uint32_t> domain;         ///< none: a free one
+  bool check_only = false;
+  bool quiet = false;
+};
+
+/// Runs a script to its end or its first failure, and writes the report.
+///
+/// @return 0 everything came as expected, 3 something did not, 130 interrupted
+/// @throws runtime::StartError when the script is wrong or nothing can be started
+[[nodiscard]] int run_script(const ScriptRequest& request, runtime::Loop& loop);
+
+/// The tables of actions and of what expectations are about, for --help.
+[[nodiscard]] std::string script_help();
+
+}  // namespace caravan::deploy

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "deploy/kit/condition.hpp"
+
+namespace caravan::deploy {
+
+/// One `[[step]]` of a script: hold the world, wait, act, expect, in this order; each part may be missing.
+struct ScriptStep {
+  std::string name;
+  std::optional<std::uint64_t> at_step;  ///< hold the world before this step
+  std::optional<Condition> when;         ///< wait for this before acting
+  std::vector<std::string> actions;
+  std::optional<Condition> expectation;
+  std::chrono::milliseconds within{10'000};  ///< wall time for each of the two conditions
+};
+
+struct Script {
+  std::string name;
+  std::filesystem::path scenario;
+  std::string changes;  ///< TOML that is laid over the scenario
+  double lease_s = 2.0;
+  bool hold_start = false;
+  std::vector<ScriptStep> steps;
+};
+
+/// Reads a script strictly: every key, action and condition is checked before anything starts.
+/// @throws runtime::StartError `file:line: key: reason`
+[[nodiscard]] Script load_script(const std::filesystem::path& file);
+
+}  // namespace caravan::deploy

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/kit/condition.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace caravan::deploy {
+namespace {
+
+using ::testing::HasSubstr;
+
+Seen some() {
+  Seen seen;
+  seen.state = "running";
+  seen.step = 120;
+  seen.members = 3;
+  seen.gone = {"robot 2", "radio"};
+  seen.robots[1] = {.has_reported = true, .mode = "explore", .activity = "driving", .exchanges = 2};
+  seen.robots[3].x_m = 3.0;
+  seen.robots[3].y_m = 4.0;
+  seen.processes["robot 2"] = {"ended", 137, ""};
+  return seen;
+}
+
+bool holds(const std::string& text) { return Condition{text}.holds(some()); }
+
+TEST(Condition, ComparesNumbersWordsAndLists) {
+  EXPECT_TRUE(holds("step > 119"));
+  EXPECT_FALSE(holds("step > 120"));
+  EXPECT_TRUE(holds("step >= 120 and step <= 120"));
+  EXPECT_TRUE(holds("members is 3"));
+  EXPECT_TRUE(holds("members is not 4"));
+  EXPECT_TRUE(holds("state is running"));
+  EXPECT_FALSE(holds("state is not running"));
+  EXPECT_TRUE(holds("gone has \"robot 2\""));
+  EXPECT_FALSE(holds("gone has robot"));
+  EXPECT_TRUE(holds("gone lacks \"robot 1\" and hung is none"));
+  EXPECT_FALSE(holds("gone is none"));
+}
+
+TEST(Condition, AllPartsMustHold) {
+  EXPECT_FALSE(holds("members is 3 and step > 120"));
+  EXPECT_FALSE(holds("step > 120 and members is 3"));
+}
+
+TEST(Condition, AsksRobotsAndProcesses) {
+  EXPECT_TRUE(holds("mode 1 is explore and activity 1 is driving and exchanges 1 >= 2"));
+  EXPECT_TRUE(holds("distance 1 3 is 5"));
+  EXPECT_TRUE(holds("process robot 2 is ended and exit robot 2 is 137"));
+  EXPECT_TRUE(holds("process radio is absent"));
+  EXPECT_TRUE(holds("disturbed is no"));
+}
+
+TEST(Condition, WhatIsNotKnownYetFulfilsNothing) {
+  EXPECT_FALSE(holds("mode 3 is explore")) << "it has not reported";
+  EXPECT_FALSE(holds("mode 3 is not explore"));
+  EXPECT_FALSE(holds("trips 9 < 1"));
+  EXPECT_FALSE(holds("exit world is 0"));
+}
+
+TEST(Condition, ReadsALog) {
+  const auto file = std::filesystem::temp_directory_path() / "caravan_condition_test.log";
+  std::ofstream{file} << "first line\nrobot lost robot=2\n";
+  Seen seen;
+  seen.processes["world"] = {"running", {}, file.string()};
+  EXPECT_TRUE(Condition{"log world has \"robot lost robot=2\""}.holds(seen));
+  EXPECT_TRUE(Condition{"log world lacks \"robot lost robot=3\""}.holds(seen));
+  std::filesystem::remove(file);
+}
+
+TEST(Condition, SaysWhatItSees) {
+  EXPECT_EQ((Condition{"gone has x and step > 3 and mode 3 is explore"}.values(some())),
+            "gone = [robot 2, radio], step = 120, mode = unknown");
+}
+
+TEST(Condition, RefusesWhatMakesNoSense) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"", "is missing"},           {"luck > 3", "nothing is called \"luck\""},
+      {"step", "a comparison"},     {"step about 3", "no comparison"},
+      {"step >", "the value"},      {"step > many", "\"many\" is no number"},
+      {"mode is explore", "robot"}, {"step > 3 or step < 1", "one word too many"},
+  };
+  for (const auto& [text, reason] : cases) {
+    try {
+      const Condition condition{text};
+      ADD_FAILURE() << text << " was taken";
+    } catch (const WordsError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(reason)) << text;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace caravan::deploy
