@@ -183,12 +183,12 @@ Result Deployment::hold_at(std::uint64_t step) {
   return expect("the world is held at step " + std::to_string(step), Condition{text}, kHoldPatience);
 }
 
-Result Deployment::step_until(const StepUntil& action) {
-  for (std::uint64_t taken = 0; !action.condition.holds(seen()); ++taken) {
+Result Deployment::step_until(const Condition& condition, std::uint64_t most) {
+  for (std::uint64_t taken = 0; !condition.holds(seen()); ++taken) {
     const Seen now = seen();
-    if (taken == action.most)
-      return {false, "\"" + action.condition.text() + "\" did not hold within " + std::to_string(taken) +
-                         " steps: " + action.condition.values(now) + "\n" + scene(now)};
+    if (taken == most)
+      return {false, "\"" + condition.text() + "\" did not hold within " + std::to_string(taken) +
+                         " steps: " + condition.values(now) + "\n" + scene(now)};
     msg::ControlRequest step;
     step.action(msg::ControlRequest_Constants::STEP);
     step.steps(1);
@@ -201,16 +201,16 @@ Result Deployment::step_until(const StepUntil& action) {
 
 Result Deployment::act(const std::string& line) {
   const auto began = Clock::now();
-  Result result =
-      std::visit(pure::Overload{[this](const ProcessAction& action) { return do_to_processes(action); },
-                                [this](const Go&) {
-                                  ears_->go();
-                                  return Result{true, ""};
-                                },
-                                [this](const HoldAt& action) { return hold_at(action.step); },
-                                [this](const StepUntil& action) { return step_until(action); },
-                                [this](const msg::ControlRequest& request) { return ask(request); }},
-                 read_action(line, robots_));
+  Result result = std::visit(
+      pure::Overload{[this](const ProcessAction& action) { return do_to_processes(action); },
+                     [this](const Go&) {
+                       ears_->go();
+                       return Result{true, ""};
+                     },
+                     [this](const HoldAt& action) { return hold_at(action.step); },
+                     [this](const StepUntil& action) { return step_until(action.condition, action.most); },
+                     [this](const msg::ControlRequest& request) { return ask(request); }},
+      read_action(line, robots_));
   if (!result.good) result.text = line + ": " + result.text;
   result.took_s = seconds(Clock::now() - began);
   return result;

@@ -60,6 +60,9 @@ class Deployment {
   /// @param name  what it means to the reader, for messages
   Result expect(const std::string& name, const Condition& condition, std::chrono::milliseconds within);
 
+  /// Lets a paused world take single steps until `condition` holds, `most` at most, and leaves it paused.
+  Result step_until(const Condition& condition, std::uint64_t most);
+
   [[nodiscard]] Seen seen();
   [[nodiscard]] std::uint32_t domain() const { return lock_.domain(); }
   [[nodiscard]] std::uint32_t robots() const { return robots_; }
@@ -79,7 +82,6 @@ class Deployment {
   std::string end(const std::string& name, int number, std::chrono::milliseconds patience);
   Result ask(const caravan_interfaces::msg::ControlRequest& request);
   Result hold_at(std::uint64_t step);
-  Result step_until(const StepUntil& action);
   void note_shared_memory();
   [[nodiscard]] std::string scene(const Seen& seen) const;
   [[nodiscard]] bool is_running(const std::string& name);

@@ -61,6 +61,8 @@ bool Ears::follow_session(std::uint64_t session) {
   ++seen_.sessions;
   seen_.robots.clear();
   seen_.step = credited_step_ = 0;
+  seen_.time_s = 0.0;
+  seen_.items = seen_.members = 0;
   seen_.digest.clear();
   note("session " + std::to_string(session));
   return true;
@@ -149,13 +151,15 @@ void Ears::on_telemetry(std::uint32_t robot, const msg::Telemetry& telemetry) {
   const std::lock_guard lock{mutex_};
   if (!follow_session(telemetry.session())) return;
   SeenRobot& one = seen_.robots[robot];
+  const std::string mode = word_at(kModes, telemetry.mode());
+  const std::string who =
+      "t=" + std::to_string(seconds(telemetry.stamp())) + " robot " + std::to_string(robot);
+  if (!one.has_reported || one.mode != mode) note(who + " reports " + mode);
   one.has_reported = true;
-  one.mode = word_at(kModes, telemetry.mode());
+  one.mode = mode;
   one.activity = word_at(kActivities, telemetry.activity());
   one.origin = word_at(kOrigins, telemetry.origin());
   one.trips = telemetry.trips();
-  const std::string who =
-      "t=" + std::to_string(seconds(telemetry.stamp())) + " robot " + std::to_string(robot);
   for (const msg::ExchangeReport& exchange : telemetry.exchanges()) {
     ++(exchange.completed() ? one.exchanges : one.failed_exchanges);
     note(who + (exchange.completed() ? " completes" : " fails") + " an exchange with robot " +

@@ -31,6 +31,7 @@ constexpr std::chrono::milliseconds kLookPeriod{5};
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // a parent that crashes leaves no process behind
   dup2(log, STDOUT_FILENO);
   dup2(log, STDERR_FILENO);
+  close_range(STDERR_FILENO + 1, ~0U, 0);  // the parent's DDS sockets and locks are not the child's
   execv(arguments[0], arguments.data());
   _exit(127);
 }

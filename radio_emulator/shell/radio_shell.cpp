@@ -77,7 +77,7 @@ void RadioShell::on_truth(const msg::WorldTruth& sample) {
     ++stale_samples_;
     return;
   }
-  if (stamp > newest_ && open_) evaluate(false);
+  if (stamp > newest_ && open_) evaluate();
   const bool evaluated_already = stamp == newest_ && !open_;
   if (stamp > newest_) {
     const Time period = idl::to_time(sample.next_stamp()) - stamp;
@@ -132,10 +132,10 @@ std::vector<std::uint32_t> RadioShell::awaited() const {
 }
 
 void RadioShell::evaluate_if_complete() {
-  if (open_ && awaited().empty()) evaluate(true);
+  if (open_ && awaited().empty()) evaluate();
 }
 
-void RadioShell::evaluate(bool in_time) {
+void RadioShell::evaluate() {
   const auto began = std::chrono::steady_clock::now();
   std::vector<bool> is_member(robots_.size(), false);
   for (const std::uint32_t member : open_->members()) {
@@ -162,15 +162,15 @@ void RadioShell::evaluate(bool in_time) {
   if (trace_) trace_->record(link.view());
   compute_ += std::chrono::steady_clock::now() - began;
   ++steps_;
-  if (in_time) {
-    msg::RadioStep step;  // before the receptions: the world goes on while they are on their way
-    step.stamp(open_->stamp());
-    step.session(session_);
-    for (const Reception& reception : receptions) step.receivers().push_back(reception.robot);
-    step.chain(chain_.value());
-    step.controlled(control_.was_used());
-    refused_writes_ += radio_steps_.write(step) ? 0U : 1U;
-  }
+  // The answer goes out before the receptions: the world goes on while they are on their way. It goes out
+  // late, too: by it the world knows that a radio that it does not wait for is here again.
+  msg::RadioStep step;
+  step.stamp(open_->stamp());
+  step.session(session_);
+  for (const Reception& reception : receptions) step.receivers().push_back(reception.robot);
+  step.chain(chain_.value());
+  step.controlled(control_.was_used());
+  refused_writes_ += radio_steps_.write(step) ? 0U : 1U;
   publish_receptions(receptions, open_->next_stamp());
   open_.reset();
 }

@@ -56,8 +56,7 @@ class RadioShell {
   [[nodiscard]] bool follow_session(std::uint64_t session);
   [[nodiscard]] std::vector<std::uint32_t> awaited() const;
   void evaluate_if_complete();
-  /// @param in_time the world still waits for this step
-  void evaluate(bool in_time);
+  void evaluate();
   void publish_receptions(const std::vector<Reception>& receptions,
                           const builtin_interfaces::msg::Time& stamp);
   void publish_status();

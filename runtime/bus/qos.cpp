@@ -137,8 +137,8 @@ dds::DataWriterQos writer_qos(idl::Delivery delivery) {
 dds::DataReaderQos reader_qos(idl::Delivery delivery) {
   dds::DataReaderQos qos = dds::DATAREADER_QOS_DEFAULT;
   set_common(qos, delivery);
-  // Room for newer samples while older ones wait for a gap to be closed. Without it a reader that joins a fast
-  // writer late keeps the first few it got, has no room for the newest, and hears nothing for seconds.
+  // Room for newer samples while older ones wait for a gap to be closed. Without it a reader that joins a
+  // fast writer late keeps the first few it got, has no room for the newest, and hears nothing for seconds.
   qos.resource_limits().max_samples = 2 * depth_of(delivery);
   qos.resource_limits().max_samples_per_instance = 2 * depth_of(delivery);
   return qos;

@@ -29,6 +29,8 @@ void Barrier::open(Wall now) {
     if (robot.member && !robot.answered) ++awaited_;
   }
   radio_answered_ = false;
+  if (radio_returns_ && radio_ == Radio::kGone) radio_ = Radio::kJoined;
+  radio_returns_ = false;
 }
 
 Answer Barrier::answer(std::uint32_t robot) {
@@ -70,6 +72,8 @@ void Barrier::answer_radio() {
   radio_answered_ = true;
 }
 
+void Barrier::answer_radio_late() { radio_returns_ = radio_ == Radio::kGone; }
+
 bool Barrier::lose(std::uint32_t robot, Wall now) {
   CARAVAN_ASSERT(robot >= 1 && robot <= robots_.size());
   Robot& one = robots_[robot - 1];
@@ -86,6 +90,7 @@ bool Barrier::lose(std::uint32_t robot, Wall now) {
 }
 
 bool Barrier::lose_radio() {
+  radio_returns_ = false;
   if (radio_ != Radio::kJoined) return false;
   disturbed_ = disturbed_ || started_;
   radio_ = started_ ? Radio::kGone : Radio::kMissing;

@@ -48,10 +48,13 @@ class Barrier {
   /// A new step begins: its members are those that answered the one before.
   void open(Wall now);
   Answer answer(std::uint32_t robot);
-  /// An answer to a step that is over. A robot that was lost or coasted past is here again: from the next step on
-  /// it is a member, and awaited. Without this a robot that is slower than the others would never catch up.
+  /// An answer to a step that is over. A robot that was lost or coasted past is here again: from the next
+  /// step on it is a member, and awaited. Without this a robot that is slower than the others would never
+  /// catch up.
   void answer_late(std::uint32_t robot);
   void answer_radio();
+  /// The same of the radio: it is awaited from the next step on.
+  void answer_radio_late();
   /// @return true when a member left the step, so that the members changed
   bool lose(std::uint32_t robot, Wall now);
   /// @return true when the radio was awaited
@@ -87,6 +90,7 @@ class Barrier {
   std::vector<Robot> robots_;
   Radio radio_ = Radio::kMissing;
   bool radio_answered_ = false;
+  bool radio_returns_ = false;  // with the next open()
   std::uint32_t members_ = 0;
   std::uint32_t awaited_ = 0;  // members that have not answered
   bool started_ = false;

@@ -52,8 +52,10 @@ void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample
 
 void WorldShell::on_radio_step(const msg::RadioStep& sample, const ParticipantId& sender) {
   const std::lock_guard lock{mutex_};
-  if (!is_current(sample.session(), idl::to_time(sample.stamp())) || !owns(radio_owner_, sender)) {
+  const bool is_ours = sample.session() == session_ && owns(radio_owner_, sender);
+  if (!is_ours || !is_current(sample.session(), idl::to_time(sample.stamp()))) {
     ++tallies_.stale_samples;
+    if (is_ours) barrier_.answer_radio_late();
     return;
   }
   for (const std::uint32_t robot : sample.receivers()) {

@@ -116,6 +116,17 @@ TEST(Barrier, TakesARobotBackThatAnswersTooLateForItsStep) {
   EXPECT_FALSE(barrier.commands_in()) << "it is awaited again, so it catches up";
 }
 
+TEST(Barrier, WaitsAgainForARadioThatAnswersTooLateForItsStep) {
+  Barrier barrier = under_way();
+  barrier.lose_radio();
+  barrier.answer_radio_late();
+  EXPECT_TRUE(barrier.radio_in()) << "not in this step";
+  barrier.open(kStart);
+  EXPECT_FALSE(barrier.radio_in());
+  EXPECT_THAT(barrier.gone(), IsEmpty());
+  EXPECT_TRUE(barrier.disturbed());
+}
+
 TEST(Barrier, ALateAnswerOfAMemberCountsForNothing) {
   Barrier barrier = under_way();
   barrier.answer_late(2);
