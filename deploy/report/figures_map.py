@@ -92,7 +92,7 @@ def draw_traffic_map(runs: ByMode) -> Figure:
         shown = np.ma.masked_less_equal(lost / area, norm.vmin)
         mesh = axes.pcolormesh(edges_x, edges_y, shown, norm=norm, cmap="viridis_r", zorder=4, rasterized=True)
         axes.set_title(f"{style.MODE_NAMES[mode]}\n{np.sum(lost) / 60:.0f} robot minutes a run")
-    bar = fig.colorbar(mesh, ax=all_axes, shrink=0.62 if len(runs) > 1 else 0.8, aspect=16, pad=0.01)
+    bar = fig.colorbar(mesh, ax=all_axes, shrink=0.62 if len(runs) > 1 else 0.75, aspect=16, pad=0.01)
     bar.set_label("time lost beside another robot\n(robot seconds per m² and run)")
     return fig
 

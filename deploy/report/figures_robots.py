@@ -3,6 +3,7 @@
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 import style
 from picture import ByMode, Picture
@@ -16,7 +17,8 @@ PART_COLOURS = {"at cruise speed": "#56b4e9", "slower than cruise": "#cc79a7", "
 
 def draw_items_per_robot(runs: ByMode) -> Figure:
     several = any(len(those) > 1 for those in runs.values())
-    fig, all_axes = style.figure(style.PAGE_IN, 3.9 if several else 2.2, columns=len(runs), rows=2 if several else 1,
+    width = style.PAGE_IN if len(runs) > 1 else style.COLUMN_IN
+    fig, all_axes = style.figure(width, 3.9 if several else 2.2, columns=len(runs), rows=2 if several else 1,
                                  sharey="row")
     for column, (mode, those) in enumerate(runs.items()):
         run = typical(those)
@@ -30,6 +32,7 @@ def draw_items_per_robot(runs: ByMode) -> Figure:
         axes.set_title(f"{style.MODE_NAMES[mode]}, seed {run.seed}")
         axes.set_xlabel("robot")
         axes.set_xticks(ticks(run.robots))
+        axes.yaxis.set_major_locator(MaxNLocator(integer=True))
         axes.grid(axis="x", visible=False)
         if several:
             draw_ranks(all_axes[len(runs) + column], those, mode)
@@ -55,7 +58,7 @@ def draw_ranks(axes, runs, mode: str) -> None:
 
 
 def ticks(robots: int) -> np.ndarray:
-    return np.arange(1, robots + 1, 2 if robots <= 20 else max(1, robots // 8))
+    return np.arange(1, robots + 1, 1 if robots <= 8 else 2 if robots <= 20 else robots // 8)
 
 
 def draw_round_trips(runs: ByMode) -> Figure:

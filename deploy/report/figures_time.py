@@ -86,7 +86,8 @@ def draw_exchanges(runs: ByMode) -> Figure:
 
 
 def draw_path_lengths(runs: ByMode) -> Figure:
-    fig, by_name = style.mosaic(style.PAGE_IN, 4.8, [list(runs), ["all"] * len(runs)])
+    width = style.PAGE_IN if len(runs) > 1 else style.COLUMN_IN * 1.35
+    fig, by_name = style.mosaic(width, 4.8, [list(runs), ["all"] * len(runs)])
     robots = 0
     for mode, those in runs.items():
         axes = by_name[mode]
