@@ -34,7 +34,7 @@ struct Refusals {
   std::uint64_t commands_clamped = 0;  ///< beyond the wheel limit
   std::uint64_t frames_over_mtu = 0;
   std::uint64_t frames_on_bad_channel = 0;
-  std::uint64_t frames_lost = 0;        ///< by the scenario's loss probability
+  std::uint64_t frames_lost = 0;  ///< by the scenario's loss probability or a rule of `caravan ctl radio`
   std::uint64_t frames_queue_full = 0;  ///< the receiver had enough of the step
 };
 

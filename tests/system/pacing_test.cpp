@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,16 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 constexpr auto kRunPatience = 40s;
+
+/// Processor time of all processes that have ended and been waited for, their children included.
+double ended_cpu_s() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_usec) / 1e6;
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
 
 class Pacing : public ::testing::Test {
  protected:
@@ -63,6 +74,21 @@ TEST_F(Pacing, RealtimeGivesTheSameRunAsFastAndNoFasterThanTheClock) {
   EXPECT_EQ(metrics("realtime").at("digest"), metrics("fast").at("digest"));
   EXPECT_LE(metrics("realtime").at("real_time_factor"), 1.02);
   expect_nothing_left();
+}
+
+TEST_F(Pacing, WaitingForTheClockCostsNoProcessorTime) {
+  constexpr double kSimulated_s = 6.0;
+  const auto cpu_s = [&](const std::string& pacing) {
+    const double before_s = ended_cpu_s();
+    Process caravan{
+        run(pacing, {"--items", "0", "--max-time", std::to_string(kSimulated_s), "--pacing", pacing}),
+        folder_ / (pacing + ".log")};
+    EXPECT_EQ(caravan.wait(kRunPatience), 0) << caravan.output();
+    return ended_cpu_s() - before_s;
+  };
+  const double fast_s = cpu_s("fast");
+  // The same steps; a process that looked at the clock again and again would take as long as the run.
+  EXPECT_LT(cpu_s("realtime"), fast_s + 0.5 * kSimulated_s);
 }
 
 TEST_F(Pacing, FreeEndsAtItsTimeAndSaysWhenThatWasTooShort) {

@@ -77,9 +77,15 @@ bool WorldShell::may_open(Wall now) {
   const auto held_by = credits_.holding_back(world_.now(), period_ * idl::kMaxStepsAhead);
   if (held_by && !named_hold_) spdlog::debug("held back by observer={}", *held_by);
   named_hold_ = held_by.has_value();
-  if (named_hold_) return false;
+  if (named_hold_) {
+    told_due_ = {};
+    return false;
+  }
   if (control_.speed() == 0.0 || now >= due_) return true;
-  loop_.notify();  // the main thread opens it when it is due
+  // The main thread opens it when it is due. Told once: it asks here itself, and would wake itself until
+  // then.
+  if (told_due_ != due_) loop_.notify();
+  told_due_ = due_;
   return false;
 }
 

@@ -101,7 +101,8 @@ class WorldShell {
   std::vector<bool> radio_due_;
   std::uint64_t radio_chain_;
   bool radio_controlled_ = false;
-  Wall due_{};  // of the next step, when paced
+  Wall due_{};       // of the next step, when paced
+  Wall told_due_{};  // the main thread has been woken to wait for this
   Wall status_due_{};
   std::string digest_;
   std::vector<std::uint32_t> named_hung_;
