@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/launcher/observer.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,7 +15,7 @@ using runtime::ParticipantId;
 
 namespace {
 
-constexpr auto kReportPatience = std::chrono::seconds{5};
+constexpr auto kReportPatience = std::chrono::seconds{10};
 constexpr std::size_t kWorthALook = 32;  // steps; an eighth of what the world may run ahead
 
 Time from_seconds(double seconds) { return Time{std::llround(seconds * 1e9)}; }
@@ -88,28 +90,51 @@ Observer::Observer(const runtime::BusConfig& bus, const std::string& name, std::
 
 Observer::~Observer() { bus_.close(); }
 
+bool Observer::follow_session(std::uint64_t session) {
+  if (session > session_) heard_until_.clear();
+  session_ = std::max(session_, session);
+  return session == session_;
+}
+
 void Observer::on_truth(const msg::WorldTruth& truth) {
   const std::lock_guard lock{mutex_};
-  if (truth.session() < session_) return;
-  session_ = truth.session();
-  if (!first_truth_) first_truth_ = std::chrono::steady_clock::now();
-  if (!steps_.empty() && idl::to_time(truth.stamp()) <= steps_.back().stamp) {
-    steps_.back().members = truth.members();  // the same step again, without whom it lost
-    return;
+  if (!follow_session(truth.session())) return;
+  if (!truth.last()) members_ = truth.members();
+  if (!steps_.empty() && idl::to_time(truth.stamp()) <= steps_.back().seen.stamp) {
+    steps_.back().seen.members = truth.members();  // the same step again, without whom it lost
+  } else {
+    steps_.push_back({to_observation(truth), truth.reported()});
   }
-  steps_.push_back(to_observation(truth));
   give_out();
 }
 
-bool Observer::has_heard_all(const Observation& step) const {
-  return std::all_of(step.members.begin(), step.members.end(),
-                     [this](std::uint32_t robot) { return agent_compute_s_.contains(robot); }) ||
-         std::chrono::steady_clock::now() - *first_truth_ > kReportPatience;
+std::optional<std::uint32_t> Observer::missing_report() const {
+  if (steps_.size() < 2) return std::nullopt;
+  for (const std::uint32_t robot : steps_[1].reported) {
+    const auto heard = heard_until_.find(robot);
+    const bool is_here = heard != heard_until_.end() && heard->second >= steps_.front().seen.stamp;
+    if (!is_here && std::binary_search(members_.begin(), members_.end(), robot)) return robot;
+  }
+  return std::nullopt;
+}
+
+bool Observer::may_give_out() {
+  if (steps_.empty() || (steps_.size() < 2 && !steps_.front().seen.last)) return false;
+  const std::optional<std::uint32_t> missing = missing_report();
+  if (missing) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!waiting_since_) waiting_since_ = now;
+    if (now - *waiting_since_ < kReportPatience) return false;
+    spdlog::warn("telemetry lost robot={} t={:.3f}: the records go on without it", *missing,
+                 in_seconds(steps_.front().seen.stamp));
+  }
+  waiting_since_.reset();
+  return true;
 }
 
 void Observer::give_out() {
-  while (!steps_.empty() && (steps_.size() > 1 || steps_.front().last) && has_heard_all(steps_.front())) {
-    Observation step = std::move(steps_.front());
+  while (may_give_out()) {
+    Observation step = std::move(steps_.front().seen);
     steps_.pop_front();
     const auto until = reports_.upper_bound(step.stamp);
     for (auto report = reports_.begin(); report != until; ++report) {
@@ -129,9 +154,11 @@ void Observer::on_telemetry(std::uint32_t robot, const msg::Telemetry& telemetry
                         telemetry.activity() <= msg::Telemetry_Constants::ACTIVITY_EXCHANGING &&
                         telemetry.origin() <= msg::Telemetry_Constants::ORIGIN_RECEIVED;
   const std::lock_guard lock{mutex_};
-  if (!is_known || telemetry.session() < session_) return;
+  if (!is_known || !follow_session(telemetry.session())) return;
+  const Time stamp = idl::to_time(telemetry.stamp());
   agent_compute_s_[robot] = telemetry.compute_s();
-  reports_.emplace(idl::to_time(telemetry.stamp()), to_report(robot, telemetry));
+  heard_until_[robot] = std::max(heard_until_[robot], stamp);
+  reports_.emplace(stamp, to_report(robot, telemetry));
   give_out();
 }
 

@@ -17,10 +17,10 @@ namespace caravan::deploy {
 
 /// The launcher's ears on the bus: turns truth and telemetry into observations that miss nothing.
 ///
-/// It gives the world credit, so the world never runs more than 256 steps ahead of it. An agent reports on
-/// its first step, and always writes its telemetry before its command, which the world's next truth needs. So
-/// once every member has been heard, a truth that arrives shows that the reports of the step before are all
-/// here; until then steps are kept back, five seconds at most.
+/// It gives the world credit, so the world never runs more than 256 steps ahead of it. Each truth names the
+/// robots that have reported in the step before; a step is given out when their reports are here too, however
+/// they overtook each other or were lost and sent again. For a robot that is lost nobody waits, for any other
+/// ten seconds at most.
 class Observer {
  public:
   /// What has been heard since the last look.
@@ -45,19 +45,30 @@ class Observer {
   void give_credit(Time stamp);
 
  private:
+  struct Step {
+    Observation seen;
+    std::vector<std::uint32_t> reported;  ///< in the step before
+  };
+
+  /// False: a sample of a session that is over.
+  [[nodiscard]] bool follow_session(std::uint64_t session);
   void on_truth(const caravan_interfaces::msg::WorldTruth& truth);
   void on_telemetry(std::uint32_t robot, const caravan_interfaces::msg::Telemetry& telemetry);
   /// Gives out the steps whose reports are all here.
   void give_out();
-  [[nodiscard]] bool has_heard_all(const Observation& step) const;
+  /// A robot whose report of the oldest step is still on its way.
+  [[nodiscard]] std::optional<std::uint32_t> missing_report() const;
+  [[nodiscard]] bool may_give_out();
 
   runtime::Loop& loop_;
   std::string name_;
   std::mutex mutex_;
   std::uint64_t session_ = 0;
-  std::deque<Observation> steps_;  // not given out yet, the newest last
-  std::optional<runtime::WallTime> first_truth_;
-  std::multimap<Time, AgentReport> reports_;         // of steps that are not closed
+  std::deque<Step> steps_;                           // not given out yet, the newest last
+  std::vector<std::uint32_t> members_;               // by the newest truth
+  std::optional<runtime::WallTime> waiting_since_;   // for a report
+  std::multimap<Time, AgentReport> reports_;         // of steps that are not given out
+  std::map<std::uint32_t, Time> heard_until_;        // each robot's newest report
   std::map<std::uint32_t, double> agent_compute_s_;  // of every robot that has been heard
   News news_;
   runtime::Bus bus_;

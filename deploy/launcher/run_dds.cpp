@@ -184,7 +184,7 @@ void DdsRun::follow() {
     }
   }
   // The deciding truth comes first, the statuses with the digest and the last counts right behind it.
-  const Wall patience = std::chrono::steady_clock::now() + 2s;
+  const Wall patience = std::chrono::steady_clock::now() + 10s;
   while (decided_ && std::chrono::steady_clock::now() < patience) {
     if (have_last_statuses()) return;
     if (request_.loop.wait(patience) == runtime::Loop::Woken::kStop) return;

@@ -91,8 +91,6 @@ void HostedAgent::step(const msg::SensorFrame& frame) {
 }
 
 void HostedAgent::answer(Outputs& outputs, const msg::SensorFrame& frame) {
-  // Telemetry first: the world's next step needs the command, so an observer that sees the step has this
-  // report already.
   if (outputs.reports) {
     msg::Telemetry telemetry = to_telemetry(outputs.report);
     telemetry.stamp(frame.stamp());
@@ -101,6 +99,7 @@ void HostedAgent::answer(Outputs& outputs, const msg::SensorFrame& frame) {
     if (!telemetry_.write(telemetry)) ++refused_writes_;
   }
   msg::RobotCommand command = to_command(outputs);
+  command.reported(outputs.reports);
   command.stamp(frame.stamp());
   command.session(session_);
   if (!commands_.write(command)) ++refused_writes_;

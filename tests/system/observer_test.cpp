@@ -2,6 +2,7 @@
 // The launcher's observer, with the test in the place of the world and of an agent whose telemetry is late.
 #include "deploy/launcher/observer.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "deploy/launcher/domain_lock.hpp"
@@ -12,40 +13,78 @@ namespace {
 
 namespace msg = caravan_interfaces::msg;
 using namespace std::chrono_literals;
+using deploy::Time;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
-TEST(Observer, PutsAFirstReportThatComesLateToTheStepThatItBelongsTo) {
-  const deploy::DomainLock lock{std::nullopt};
-  runtime::Loop loop;
-  deploy::Observer observer{{.role = "observer", .domain = lock.domain()}, "observer", 1, loop};
-  runtime::Bus bus{{.role = "test", .domain = lock.domain()}};
-  auto truths = bus.writer<msg::WorldTruthPubSubType>(idl::kTruth);
-  for (int step = 0; step < 10; ++step) {
-    msg::WorldTruth truth;
-    truth.stamp(idl::to_wire(step * 32ms));
-    truth.session(7);
-    truth.members({1});
-    truths.write(truth);
+/// The observer of one robot, and truths of ten steps; the second and the fifth of them say that robot 1 has
+/// reported in the step before.
+class ObserverOfOne : public ::testing::Test {
+ protected:
+  ObserverOfOne() {
+    for (int step = 0; step < 10; ++step) {
+      msg::WorldTruth truth;
+      truth.stamp(idl::to_wire(step * 32ms));
+      truth.session(7);
+      truth.members({1});
+      if (step == 1 || step == 4) truth.reported({1});
+      truths_.write(truth);
+    }
   }
-  const Collector<msg::RunCreditPubSubType> credits{{.role = "test", .domain = lock.domain()},
-                                                    idl::kRunCredit};
-  ASSERT_TRUE(credits.first([](const msg::RunCredit&) { return true; }));
-  EXPECT_TRUE(observer.look().observations.empty()) << "robot 1 has not been heard yet";
 
-  auto telemetry = bus.writer<msg::TelemetryPubSubType>(idl::kTelemetry, 1);
-  msg::Telemetry report;
-  report.session(7);
-  report.activity(msg::Telemetry_Constants::ACTIVITY_DRIVING);
-  telemetry.write(report);
-  std::vector<deploy::Observation> seen;
-  ASSERT_TRUE(eventually(
-      [&] {
-        for (deploy::Observation& one : observer.look().observations) seen.push_back(std::move(one));
-        return seen.size() == 9;
-      },
-      kPatience));
-  ASSERT_EQ(seen[0].agent_reports.size(), 1U);
-  EXPECT_EQ(seen[0].stamp, 0ms);
-  EXPECT_EQ(seen[0].agent_reports[0].activity, deploy::Activity::kDriving);
+  void report(Time stamp, std::uint8_t activity) {
+    msg::Telemetry report;
+    report.stamp(idl::to_wire(stamp));
+    report.session(7);
+    report.activity(activity);
+    telemetry_.write(report);
+  }
+
+  [[nodiscard]] bool gives_out(std::size_t steps) {
+    return eventually(
+        [&] {
+          for (deploy::Observation& one : observer_.look().observations) seen_.push_back(std::move(one));
+          return seen_.size() == steps;
+        },
+        kPatience);
+  }
+
+  /// The robots of the step's reports.
+  [[nodiscard]] std::vector<std::uint32_t> reports_of(std::size_t step) const {
+    std::vector<std::uint32_t> robots;
+    for (const deploy::AgentReport& one : seen_[step].agent_reports) robots.push_back(one.robot);
+    return robots;
+  }
+
+  const deploy::DomainLock lock_{std::nullopt};
+  runtime::Loop loop_;
+  deploy::Observer observer_{{.role = "observer", .domain = lock_.domain()}, "observer", 1, loop_};
+  runtime::Bus bus_{{.role = "test", .domain = lock_.domain()}};
+  runtime::Writer<msg::WorldTruthPubSubType> truths_ = bus_.writer<msg::WorldTruthPubSubType>(idl::kTruth);
+  runtime::Writer<msg::TelemetryPubSubType> telemetry_ =
+      bus_.writer<msg::TelemetryPubSubType>(idl::kTelemetry, 1);
+  std::vector<deploy::Observation> seen_;
+};
+
+TEST_F(ObserverOfOne, PutsAReportThatComesLateToTheStepThatItBelongsTo) {
+  report(0ms, msg::Telemetry_Constants::ACTIVITY_DRIVING);
+  EXPECT_TRUE(gives_out(3)) << "the fourth step waits for its report, the later ones behind it";
+  report(96ms, msg::Telemetry_Constants::ACTIVITY_AVOIDING);
+  ASSERT_TRUE(gives_out(9));
+  EXPECT_THAT(reports_of(0), ElementsAre(1));
+  EXPECT_THAT(reports_of(3), ElementsAre(1));
+  EXPECT_EQ(seen_[3].agent_reports[0].activity, deploy::Activity::kAvoiding);
+}
+
+TEST_F(ObserverOfOne, WaitsForNoReportOfALostRobot) {
+  report(0ms, msg::Telemetry_Constants::ACTIVITY_DRIVING);
+  ASSERT_TRUE(gives_out(3));
+  msg::WorldTruth alone;
+  alone.stamp(idl::to_wire(9 * 32ms));
+  alone.session(7);
+  truths_.write(alone);
+  ASSERT_TRUE(gives_out(9));
+  EXPECT_THAT(reports_of(3), IsEmpty());
 }
 
 }  // namespace

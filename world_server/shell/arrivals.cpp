@@ -41,6 +41,7 @@ void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample
         "command clamped robot={}: beyond the wheel limit of {} m/s (further ones are counted in the status)",
         robot, config_.robots.wheel_limit_mps);
   }
+  if (sample.reported() && idl::to_time(sample.stamp()) == stamp_) reporting_.push_back(robot);
   const Answer answer = barrier_.answer(robot);
   if (answer != Answer::kNextStep || phase_ == Phase::kWaiting) {
     commands_[robot - 1] = Command{safe.left_mps, safe.right_mps, sample.gripper_closed()};

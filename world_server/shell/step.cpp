@@ -2,6 +2,8 @@
 // The world's step: open, publish, advance, finish.
 #include <spdlog/spdlog.h>
 
+#include <utility>
+
 #include "idl/stamp.hpp"
 #include "runtime/pure/digest.hpp"
 #include "world_server/shell/wire.hpp"
@@ -138,6 +140,7 @@ void WorldShell::advance() {
     if (command && control_.is_held(robot)) command->left_mps = command->right_mps = 0.0;
   }
   world_.advance(commands_);
+  truth_.reported(std::exchange(reporting_, {}));
   if (trace_) trace_->record(world_.chain_link());
   if (config_.experiment.pacing != Pacing::kFree) commands_.assign(commands_.size(), std::nullopt);
   phase_ = Phase::kAdvanced;

@@ -96,6 +96,7 @@ class WorldShell {
   Time stamp_{0};  // of the open step
   std::vector<std::optional<Command>> commands_;
   std::vector<Time> commanded_at_;
+  std::vector<std::uint32_t> reporting_;  // robots that have reported in the open step
   std::vector<std::optional<runtime::ParticipantId>> robot_owners_;
   std::optional<runtime::ParticipantId> radio_owner_;
   std::vector<bool> radio_due_;
