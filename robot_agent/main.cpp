@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "robot_agent/config/agent_config.hpp"
-#include "robot_agent/config/robot_list.hpp"
 #include "robot_agent/shell/agent_shell.hpp"
+#include "runtime/config/number_list.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
 
@@ -11,6 +11,7 @@ namespace {
 
 using namespace caravan;
 
+constexpr std::uint32_t kHighestRobot = 65535;  // as on the radio
 constexpr std::uint32_t kNotGiven = std::numeric_limits<std::uint32_t>::max();
 
 struct Chosen {
@@ -23,7 +24,9 @@ Chosen choose(std::uint32_t one, const std::vector<std::string>& several) {
     throw runtime::StartError{"which robots? Give --robot I, or --robots LIST (such as 1-15 or 1,3,5-8)"};
   }
   if (several.empty()) return {std::to_string(one), {one}};
-  return {several.front(), agent::parse_robot_list(several.front())};
+  const auto robots = runtime::read_number_list(
+      several.front(), {.option = "--robots", .lowest = 1, .highest = kHighestRobot, .most = kHighestRobot});
+  return {several.front(), {robots.begin(), robots.end()}};
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct DiffCommand {
 struct SweepCommand {
   std::filesystem::path scenario;
   std::string engine = "embedded";
-  std::string seeds = "1-10";               ///< as read_seeds() takes it
+  std::string seeds = "1-10";               ///< a list of numbers
   std::string modes = "none,partial,full";  ///< as read_modes() takes it
   Overrides overrides;                      ///< of every run; neither mode nor seed
   std::size_t jobs = 1;                     ///< without the option: one for each processor

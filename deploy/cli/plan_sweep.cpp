@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/cli/plan_sweep.hpp"
 
+#include <limits>
+
 #include "deploy/cli/check_scenario.hpp"
 #include "deploy/cli/overrides.hpp"
-#include "deploy/sweep/seeds.hpp"
+#include "deploy/sweep/modes.hpp"
+#include "runtime/config/number_list.hpp"
 
 namespace caravan::deploy {
 namespace {
+
+const runtime::NumberListRule kSeeds{.option = "--seeds",
+                                     .lowest = 0,
+                                     .highest = std::numeric_limits<std::int64_t>::max(),  // as in TOML
+                                     .most = 100'000};
 
 runtime::TomlDocument effective(const std::string& text, const SweepCommand& command) {
   return runtime::TomlDocument::parse(text, command.scenario.string() + " with the command line's changes");
@@ -21,7 +29,7 @@ SweepPlan plan_sweep(const SweepCommand& command) {
                  .scenario_text = effective_text(original, command.overrides),
                  .engine = command.engine,
                  .modes = read_modes(command.modes),
-                 .seeds = read_seeds(command.seeds),
+                 .seeds = runtime::read_number_list(command.seeds, kSeeds),
                  .runs = {}};
   const auto base = effective(plan.scenario_text, command);
   (void)check_scenario(base);
