@@ -32,6 +32,9 @@ ALLOWED = {
     "radio_emulator/medium": [STD, "runtime/pure"],
     "radio_emulator/config": [STD, *CONFIG, "radio_emulator/medium"],
     "radio_emulator": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "radio_emulator"],
+    "hardware_bridge/core": [STD, "runtime/pure"],
+    "hardware_bridge/config": [STD, *CONFIG, "hardware_bridge/core"],
+    "hardware_bridge": [*PROCESS, DDS, ROBOT_TYPES, "hardware_bridge"],
     "deploy/metrics": [STD, POSIX, JSON, "runtime/config", "runtime/pure"],
     "deploy/experiment": [STD, "runtime/config", "runtime/process", "runtime/bus/transport.hpp", "deploy/metrics"],
     "deploy/embedded": [STD, EIGEN, *CONFIG, "runtime/process", "runtime/trace", "deploy/metrics", "deploy/experiment",
@@ -48,10 +51,10 @@ ALLOWED = {
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/bus/transport.hpp", "deploy",
                    "robot_agent/config", "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium"],
 }
-SHELLS = ("robot_agent/shell", "world_server/shell", "radio_emulator/shell")
+SHELLS = ("robot_agent/shell", "world_server/shell", "radio_emulator/shell", "hardware_bridge/shell")
 
 # A core is a function of values: nothing here may come from outside its arguments.
-CORES = ("robot_agent/core", "radio_emulator/medium", "world_server/physics", "world_server/barrier", "world_server/control",
+CORES = ("robot_agent/core", "radio_emulator/medium", "hardware_bridge/core", "world_server/physics", "world_server/barrier", "world_server/control",
          "world_server/referee", "world_server/sensors", "runtime/pure")
 NOT_IN_A_CORE = {"thread", "mutex", "condition_variable", "future", "atomic", "fstream", "iostream", "filesystem",
                  "random", "ctime", "unordered_map", "unordered_set"}
@@ -60,7 +63,7 @@ NO_CLOCK = re.compile(r"_clock::now\b")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 GENERATED_FOR_ROBOTS = re.compile(r"(robot|stamp|clock)(PubSubTypes)?\.h$")
 GENERATED_FOR_TRUTH = re.compile(r"(world|control)(PubSubTypes)?\.h$")
-POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|poll|sched|pthread|signal|dirent|spawn|netdb|arpa/.*|netinet/.*)\.h$")
+POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|poll|termios|sched|pthread|signal|dirent|spawn|netdb|arpa/.*|netinet/.*)\.h$")
 OUTSIDE = {"Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr": DDS, "toml++": TOML,
            "nlohmann": JSON, "spdlog": LOG, "CLI": CLI, "gtest": GTEST}
 

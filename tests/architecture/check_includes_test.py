@@ -29,9 +29,11 @@ class CheckIncludes(unittest.TestCase):
     def test_an_agent_never_sees_the_truth(self):
         self.assert_breach("robot_agent/shell/agent_shell.hpp", '#include "worldPubSubTypes.h"\n')
         self.assert_breach("robot_agent/core/agent.cpp", '#include "world_server/types.hpp"\n')
+        self.assert_breach("hardware_bridge/shell/pioneer_shell.hpp", '#include "worldPubSubTypes.h"\n')
 
     def test_only_physics_sees_ode(self):
         self.assertEqual(breaches({"world_server/physics/body.cpp": "#include <ode/ode.h>\n"}), [])
+        self.assert_breach("hardware_bridge/core/robot/microcontroller.cpp", "#include <ode/ode.h>\n")
         self.assert_breach("world_server/referee/items.cpp", "#include <ode/ode.h>\n")
         self.assert_breach("deploy/embedded/engine.cpp", "#include <ode/ode.h>\n")
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "runtime/pure/random.hpp"
+#include "tests/fuzz/bridge_targets.hpp"
 #include "tests/fuzz/targets.hpp"
 
 namespace caravan::agent::fuzz {
@@ -68,6 +69,12 @@ void replay(const std::string& name, void (*target)(std::span<const std::uint8_t
 TEST(FuzzReplay, WhateverDecodesEncodesToTheSameBytes) { replay("codec", codec, 2000); }
 
 TEST(FuzzReplay, ARobotSurvivesAnyFrames) { replay("communication", communication, 500); }
+
+TEST(FuzzReplay, ArcosPacketsComeBackFromAnyBytes) { replay("arcos", bridge::fuzz::arcos, 2000); }
+
+TEST(FuzzReplay, NmeaSentencesComeBackFromAnyBytes) { replay("nmea", bridge::fuzz::nmea, 2000); }
+
+TEST(FuzzReplay, ABridgeSurvivesAnyBytesOnItsLines) { replay("bridge", bridge::fuzz::bridge, 200); }
 
 }  // namespace
 }  // namespace caravan::agent::fuzz

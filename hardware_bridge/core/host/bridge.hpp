@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "hardware_bridge/core/arcos/odometry.hpp"
+#include "hardware_bridge/core/arcos/sonar_memory.hpp"
+#include "hardware_bridge/core/host/gripper.hpp"
+#include "hardware_bridge/core/host/robot_link.hpp"
+#include "hardware_bridge/core/host/watcher.hpp"
+#include "hardware_bridge/core/nmea/sentence.hpp"
+#include "hardware_bridge/core/pose/arena_projection.hpp"
+#include "hardware_bridge/core/pose/pose_fusion.hpp"
+
+namespace caravan::bridge {
+
+struct BridgeConfig {
+  LinkConfig link;
+  FusionConfig fusion;
+  ArenaPlace arena;
+  double compass_offset_rad = 0.0;                        ///< added to what the compass says, clockwise
+  Time command_timeout = std::chrono::milliseconds{600};  ///< without a command for so long, wheels at zero
+  double low_battery_v = 11.5;
+  bool has_gripper = true;  ///< false: it is imagined by position
+  Point source_W;           ///< for an imagined gripper
+  double service_radius_m = 1.5;
+  double wheel_limit_mps = 1.6;
+  double track_m = 0.330;
+  double wheel_radius_m = 0.0975;
+};
+
+/// What the agent is told at each SIP. A real that is not known now is NaN.
+struct Frame {
+  Time stamp{0};
+  std::array<double, kSonarCount> sonar_range_m{};
+  std::array<double, kSonarCount> sonar_age_s{};
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double yaw_rad = 0.0;
+  double left_wheel_rad = 0.0;  ///< since the bridge began
+  double right_wheel_rad = 0.0;
+  bool holding = false;
+};
+
+/// What an agent asks of its robot.
+struct Wish {
+  double left_mps = 0.0;  ///< rim speeds
+  double right_mps = 0.0;
+  bool gripper_closed = false;
+};
+
+/// The whole bridge between an agent and a Pioneer, without ports, topics and clocks: bytes and wishes in,
+/// bytes and frames out.
+///
+/// Wheels turn only while a wish is younger than the command timeout, the robot is heard and its place is
+/// known; when one of these ends they are told to stop at once, and again every half second.
+class Bridge {
+ public:
+  explicit Bridge(const BridgeConfig& config);
+
+  void robot_up(Time now);
+  void robot_down(Time now);
+  void robot_says(std::span<const std::uint8_t> bytes, Time now);
+  void gps_says(std::span<const std::uint8_t> bytes, Time now);
+  void gps_down() { sentences_.restart(); }
+  /// @param answers  stamp of the frame that it answers; older than the command timeout, it is ignored
+  void wish(const Wish& wish, Time answers, Time now);
+  /// The agent has gone.
+  void forget_wish(Time now);
+  void tick(Time now);
+  /// When tick() has something to do, at the latest.
+  [[nodiscard]] Time next_deadline(Time now) const;
+  /// The program ends: wheels at zero, connection closed.
+  void close() { link_.close(); }
+
+  struct Effects {
+    arcos::Bytes to_robot;
+    std::vector<Frame> frames;
+    std::vector<Notice> notices;
+    bool reopen_robot = false;  ///< close the line and open it again, with the next baud rate if it has one
+  };
+  /// What has come of the calls since the last time.
+  [[nodiscard]] Effects take_effects();
+
+  [[nodiscard]] bool may_move(Time now) const;
+  [[nodiscard]] std::uint64_t refused_wishes() const { return refused_; }
+  [[nodiscard]] std::uint64_t clamped_wishes() const { return clamped_; }
+  [[nodiscard]] std::uint64_t stale_wishes() const { return stale_; }
+
+ private:
+  void on_sip(const arcos::Sip& sip, Time now);
+  void follow(const arcos::Sip& sip, Time now);
+  void on_fix(double latitude_deg, double longitude_deg, Time now);
+  void publish(Time now);
+  void grip(bool closed, Time now);
+  [[nodiscard]] Wish safe(const Wish& wish);
+  void note(Notice::Weight weight, std::string text) {
+    effects_.notices.push_back({weight, std::move(text)});
+  }
+  void keep_still(Time now);
+  void tell_position(Time now);
+
+  BridgeConfig config_;
+  RobotLink link_;
+  Watcher watcher_;
+  ArenaProjection projection_;
+  PoseFusion fusion_;
+  arcos::SonarMemory sonars_;
+  std::optional<arcos::Odometry> odometry_;
+  nmea::SentenceFinder sentences_;
+  std::variant<ArcosGripper, ImaginedGripper> gripper_;
+  double left_wheel_rad_ = 0.0;
+  double right_wheel_rad_ = 0.0;
+  Time last_stamp_{-1};
+  std::optional<Time> wished_;  // when the last wish came
+  Wish wish_;
+  bool moved_ = false;  // it was allowed to at the last look
+  Time stop_due_{0};
+  bool was_heard_ = false;
+  bool had_position_ = false;
+  std::uint64_t refused_ = 0;
+  std::uint64_t clamped_ = 0;
+  std::uint64_t stale_ = 0;
+  Effects effects_;
+};
+
+}  // namespace caravan::bridge

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hardware_bridge/core/arcos/command.hpp"
+#include "hardware_bridge/core/arcos/sip.hpp"
+#include "hardware_bridge/core/host/notice.hpp"
+#include "hardware_bridge/core/values.hpp"
+
+namespace caravan::bridge {
+
+struct LinkConfig {
+  double acceleration_mps2 = 2.0;  ///< what the robot is told to take for starting and braking
+  double speed_limit_mps = 1.6;
+  Time silence = std::chrono::milliseconds{500};  ///< without a SIP for so long, the robot is silent
+};
+
+/// The host's end of an ARCOS connection, over a line that somebody else opens, reads and writes.
+///
+///   state          | bytes                                     | time
+///   ---------------+-------------------------------------------+---------------------------------------------
+///   Down           | -                                         | -
+///   Synchronising  | awaited SYNC echo: next; after the third  | 0.4 s: from SYNC0 again; the third time the
+///                  | OPEN and set-up: Opening                  | line is to be opened anew (next baud rate)
+///                  | SIP: an open connection, CLOSE and again  |
+///   Opening        | SIP: Running                              | 1 s: Synchronising
+///   Running        | SIP: told                                 | PULSE every 0.5 s; silence 2 s: line anew
+///
+/// "-" is ignored on purpose. Each wait ends.
+class RobotLink {
+ public:
+  explicit RobotLink(const LinkConfig& config) : config_{config} {}
+
+  /// The line is there. Handshake begins.
+  void up(Time now);
+  /// The line is gone.
+  void down();
+  /// @return the SIPs among the bytes, once the connection is open
+  [[nodiscard]] std::vector<arcos::Sip> receive(std::span<const std::uint8_t> bytes, Time now);
+  void tick(Time now);
+  /// When tick() has something to do; none while the line is down.
+  [[nodiscard]] std::optional<Time> next_deadline() const;
+
+  /// To be written to the robot, while Running; ignored otherwise.
+  void send(std::span<const std::uint8_t> packet);
+  /// Wheels at zero now, the connection stays.
+  void stop();
+  /// Wheels at zero and the connection closed: the program ends.
+  void close();
+  void enable_motors() { send(arcos::encode(arcos::Order::kEnable, 1)); }
+
+  [[nodiscard]] bool is_running() const { return std::holds_alternative<Running>(state_); }
+  /// Running, and heard of within the silence.
+  [[nodiscard]] bool is_heard(Time now) const;
+  /// When silence begins if nothing is heard until then. @pre is_running()
+  [[nodiscard]] Time silent_at() const { return std::get<Running>(state_).heard + config_.silence; }
+  /// Of the robot at the other end; set from the first time it was reached.
+  [[nodiscard]] const std::optional<arcos::Names>& names() const { return names_; }
+
+  /// What is to be written, once.
+  [[nodiscard]] arcos::Bytes take_output();
+  /// Is the line to be closed and opened again, with the next baud rate where it has one? Once.
+  [[nodiscard]] bool take_reopen();
+  [[nodiscard]] std::vector<Notice> take_notices();
+
+ private:
+  struct Down {};
+  struct Synchronising {
+    unsigned step = 0;
+    unsigned attempts = 0;
+    Time deadline{0};
+  };
+  struct Opening {
+    Time deadline{0};
+  };
+  struct Running {
+    Time heard{0};
+    Time pulse_due{0};
+  };
+
+  void synchronise(Time now, unsigned attempts);
+  void hear_sync(Synchronising& state, const arcos::Bytes& data, Time now);
+  void open(Time now);
+  void line_anew(const std::string& why);
+  void put(const arcos::Bytes& packet) { output_.insert(output_.end(), packet.begin(), packet.end()); }
+  void put(arcos::Order order) { put(arcos::encode(order)); }
+
+  LinkConfig config_;
+  std::variant<Down, Synchronising, Opening, Running> state_;
+  arcos::PacketFinder packets_;
+  std::uint64_t garbage_told_ = 0;
+  std::optional<arcos::Names> names_;
+  arcos::Bytes output_;
+  bool reopen_ = false;
+  std::vector<Notice> notices_;
+};
+
+}  // namespace caravan::bridge

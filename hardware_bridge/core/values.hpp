@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+namespace caravan::bridge {
+
+/// Time since the process began. It comes with the calls; the core never asks a clock.
+using Time = std::chrono::nanoseconds;
+
+inline constexpr std::size_t kSonarCount = 16;
+
+/// A position in frame W (the arena's x and y), metres.
+struct Point {
+  double x_m = 0.0;
+  double y_m = 0.0;
+};
+
+/// A robot's base in W.
+struct Pose {
+  Point p_WB;
+  double yaw_WB_rad = 0.0;  ///< counter-clockwise from W's x axis, in (-pi, pi]
+};
+
+/// In (-pi, pi].
+[[nodiscard]] inline double wrapped(double angle_rad) {
+  const double angle = std::remainder(angle_rad, 2.0 * std::numbers::pi);
+  return angle <= -std::numbers::pi ? std::numbers::pi : angle;
+}
+
+[[nodiscard]] inline double seconds(Time time) { return std::chrono::duration<double>(time).count(); }
+[[nodiscard]] inline Time to_time(double seconds) { return Time{std::llround(seconds * 1e9)}; }
+
+}  // namespace caravan::bridge
