@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world_server/world.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "runtime/pure/assert.hpp"
 #include "runtime/pure/canonical_bytes.hpp"
@@ -26,6 +28,16 @@ ItemRules item_rules(const WorldConfig& config) {
           .items = config.experiment.items};
 }
 
+Senses nothing_sensed() {
+  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  Senses senses;
+  senses.sonar_range_m.fill(kUnknown);
+  senses.sonar_age_s.fill(kUnknown);
+  senses.gps_x_m = senses.gps_y_m = senses.compass_yaw_rad = kUnknown;
+  senses.left_wheel_rad = senses.right_wheel_rad = kUnknown;
+  return senses;
+}
+
 }  // namespace
 
 struct World::Impl {
@@ -42,11 +54,17 @@ struct World::Impl {
     sonars.place(dynamics.poses());
   }
 
+  [[nodiscard]] bool is_present(std::uint32_t robot) const {
+    return !std::isnan(dynamics.poses()[robot - 1].x_m);
+  }
+
   void obey(std::uint32_t robot, const std::optional<Command>& command) {
     const Command done = command.value_or(
         Command{.left_mps = 0.0, .right_mps = 0.0, .gripper_closed = items.is_closed(robot)});
-    const auto event = items.grip(robot, dynamics.poses()[robot - 1], done.gripper_closed);
-    if (event) item_events.push_back(*event);
+    if (is_present(robot)) {
+      const auto event = items.grip(robot, dynamics.poses()[robot - 1], done.gripper_closed);
+      if (event) item_events.push_back(*event);
+    }
     dynamics.drive(robot - 1, done.left_mps, done.right_mps);
     link.word(command.has_value() ? 1 : 0);
     link.real(done.left_mps);
@@ -66,6 +84,15 @@ struct World::Impl {
     if (link_whole) link.clear();
     link_whole = false;
     return link.view().size();
+  }
+
+  /// A robot was put somewhere or taken out.
+  void moved(std::uint32_t robot) {
+    sonars.place(dynamics.poses());
+    const std::size_t before = begin_link();
+    link.word(robot);
+    write_poses();
+    chain.link(link.view().subspan(before));
   }
 
   void write_poses() {
@@ -104,6 +131,7 @@ World& World::operator=(World&&) noexcept = default;
 Senses World::sense(std::uint32_t robot) {
   CARAVAN_ASSERT(robot >= 1 && robot <= impl_->count);
   const std::size_t index = robot - 1;
+  if (!impl_->is_present(robot)) return nothing_sensed();
   Devices& devices = impl_->devices[index];
   const Pose seen = devices.locate(impl_->dynamics.poses()[index]);
   Senses senses;
@@ -135,16 +163,37 @@ void World::advance(std::span<const std::optional<Command>> commands) {
 
 std::string World::place(std::uint32_t robot, const Pose& pose) {
   CARAVAN_ASSERT(robot >= 1 && robot <= impl_->count);
+  if (!impl_->is_present(robot)) return "robot " + std::to_string(robot) + " is not in the world";
   std::string obstacle = obstacle_at(impl_->config, impl_->dynamics.poses(), robot, pose);
   if (!obstacle.empty()) return obstacle;
   impl_->dynamics.place(robot - 1, pose);
-  impl_->sonars.place(impl_->dynamics.poses());
-  const std::size_t before = impl_->begin_link();
-  impl_->link.word(robot);
-  impl_->write_poses();
-  impl_->chain.link(impl_->link.view().subspan(before));
+  impl_->moved(robot);
   return "";
 }
+
+std::string World::remove(std::uint32_t robot) {
+  CARAVAN_ASSERT(robot >= 1 && robot <= impl_->count);
+  if (!impl_->is_present(robot)) return "robot " + std::to_string(robot) + " is not in the world";
+  const auto poses = impl_->dynamics.poses();
+  const auto present = std::ranges::count_if(poses, [](const Pose& pose) { return !std::isnan(pose.x_m); });
+  if (present == 1) return "it is the last one: a world without robots takes no step";
+  impl_->dynamics.remove(robot - 1);
+  impl_->items.withdraw(robot);
+  impl_->moved(robot);
+  return "";
+}
+
+std::string World::spawn(std::uint32_t robot, const Pose& pose) {
+  CARAVAN_ASSERT(robot >= 1 && robot <= impl_->count);
+  if (impl_->is_present(robot)) return "robot " + std::to_string(robot) + " is in the world already";
+  std::string obstacle = obstacle_at(impl_->config, impl_->dynamics.poses(), robot, pose);
+  if (!obstacle.empty()) return obstacle;
+  impl_->dynamics.place(robot - 1, pose);
+  impl_->moved(robot);
+  return "";
+}
+
+bool World::is_present(std::uint32_t robot) const { return impl_->is_present(robot); }
 
 std::uint64_t World::step() const { return impl_->step; }
 Time World::now() const { return impl_->now(); }

@@ -24,9 +24,10 @@ class World {
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
-  /// What robot `robot` senses now. Noise is drawn once for each robot and step, so call it once for each.
+  /// What robot `robot` senses now; one that is not in the world senses nothing. Noise is drawn once for each
+  /// robot and step, so call it once for each.
   [[nodiscard]] Senses sense(std::uint32_t robot);
-  /// True poses by robot, [0] is robot 1.
+  /// True poses by robot, [0] is robot 1; NaN of one that is not in the world.
   [[nodiscard]] std::span<const Pose> poses() const;
 
   /// Grippers act at the present poses, then physics runs for one step.
@@ -36,6 +37,14 @@ class World {
   /// Puts a robot somewhere else, at rest, with what it holds; it senses the new place at once.
   /// @return why it cannot be there, empty when it is done
   [[nodiscard]] std::string place(std::uint32_t robot, const Pose& pose);
+  /// Takes a robot out of the world; what it holds goes back to the source. The last one stays: a world
+  /// without robots takes no step.
+  /// @return why it stays, empty when it is done
+  [[nodiscard]] std::string remove(std::uint32_t robot);
+  /// Puts a robot that was taken out back in, at rest and with an open gripper.
+  /// @return why it cannot be there, empty when it is done
+  [[nodiscard]] std::string spawn(std::uint32_t robot, const Pose& pose);
+  [[nodiscard]] bool is_present(std::uint32_t robot) const;
 
   [[nodiscard]] std::uint64_t step() const;                        ///< steps taken so far
   [[nodiscard]] Time now() const;                                  ///< step() * period
@@ -46,8 +55,8 @@ class World {
   [[nodiscard]] bool finished() const;                 ///< all items delivered, or the time is over
   /// Hash over the commands and poses of every step taken.
   [[nodiscard]] std::uint64_t chain() const;
-  /// What the last step, and robots placed before it, added to the chain, as docs/digest.md orders it. To be
-  /// read between an advance() and what follows it.
+  /// What the last step, and robots placed or taken out before it, added to the chain, as docs/digest.md
+  /// orders it. To be read between an advance() and what follows it.
   [[nodiscard]] std::span<const std::uint8_t> chain_link() const;
 
  private:

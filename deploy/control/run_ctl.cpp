@@ -56,11 +56,12 @@ void print(const msg::WorldStatus& status) {
                       : status.state() == msg::WorldStatus_Constants::FINISHED ? "finished"
                       : status.paused()                                        ? "paused"
                                                                                : "running";
-  std::printf("%s  steps %llu  simulated %.3f s  members %u  items %u%s\nmissing %s\nhung %s\ngone %s\n",
-              state, static_cast<unsigned long long>(status.steps()),
-              std::chrono::duration<double>(idl::to_time(status.stamp())).count(), status.members(),
-              status.items_delivered(), status.disturbed() ? "  disturbed" : "",
-              listed(status.missing()).c_str(), listed(status.hung()).c_str(), listed(status.gone()).c_str());
+  std::printf(
+      "%s  steps %llu  simulated %.3f s  members %u  items %u%s\nmissing %s\nhung %s\ngone %s\nremoved %s\n",
+      state, static_cast<unsigned long long>(status.steps()),
+      std::chrono::duration<double>(idl::to_time(status.stamp())).count(), status.members(),
+      status.items_delivered(), status.disturbed() ? "  disturbed" : "", listed(status.missing()).c_str(),
+      listed(status.hung()).c_str(), listed(status.gone()).c_str(), listed(status.removed()).c_str());
 }
 
 int print(const ControlAnswer& answer) {

@@ -63,8 +63,9 @@ void read_radio(Words& words, msg::ControlRequest& request) {
   read_links(words, request);
 }
 
-void read_teleport(Words& words, msg::ControlRequest& request) {
-  request.action(kind::TELEPORT);
+template <std::uint8_t action>
+void read_place(Words& words, msg::ControlRequest& request) {
+  request.action(action);
   request.robots({words.robot()});
   request.x_m(words.number("x"));
   request.y_m(words.number("y"));
@@ -104,10 +105,10 @@ constexpr std::array kVerbs{Verb{"pause", read_plain<kind::PAUSE>},
                             Verb{"resume", read_plain<kind::RESUME>},
                             Verb{"step", read_steps},
                             Verb{"speed", read_speed},
-                            Verb{"teleport", read_teleport},
+                            Verb{"teleport", read_place<kind::TELEPORT>},
                             Verb{"hold", read_robot<kind::HOLD>},
                             Verb{"release", read_robot<kind::RELEASE>},
-                            Verb{"spawn", read_plain<kind::SPAWN>},
+                            Verb{"spawn", read_place<kind::SPAWN>},
                             Verb{"remove", read_robot<kind::REMOVE>},
                             Verb{"radio", read_radio}};
 
@@ -119,8 +120,8 @@ constexpr std::array kForms{
     ControlForm{"teleport ROBOT X Y [YAW]", "puts a robot somewhere else, at rest; metres, radians"},
     ControlForm{"hold ROBOT", "blocks a robot's wheels, whatever it commands"},
     ControlForm{"release ROBOT", "ends hold"},
-    ControlForm{"spawn", "refused: the number of robots is the scenario's"},
-    ControlForm{"remove ROBOT", "refused: stop its agent instead, and it stands still"},
+    ControlForm{"spawn ROBOT X Y [YAW]", "puts a robot that was removed back into the world, at rest"},
+    ControlForm{"remove ROBOT", "takes a robot out of the world; its agent waits until it is spawned"},
     ControlForm{"radio cut ROBOTS [ROBOTS]",
                 "no frame crosses between these, or between the first and anybody"},
     ControlForm{"radio cut area X0 Y0 X1 Y1", "the same for links with an end in a rectangle"},

@@ -91,6 +91,7 @@ void Ears::on_truth(const msg::WorldTruth& truth) {
   seen_.time_s = seconds(truth.stamp());
   seen_.items = truth.items_delivered();
   if (!truth.last()) seen_.members = static_cast<std::uint32_t>(truth.members().size());
+  for (auto& [number, robot] : seen_.robots) robot.is_member = robot.is_member && truth.last();
   for (const msg::RobotTruth& one : truth.robots()) {
     SeenRobot& robot = seen_.robots[one.robot()];
     robot.x_m = one.x_m();
@@ -128,6 +129,7 @@ void Ears::on_status(const msg::WorldStatus& status) {
   seen_.missing = status.missing();
   seen_.hung = status.hung();
   seen_.gone = status.gone();
+  seen_.removed = status.removed();
   seen_.disturbed = status.disturbed();
   seen_.digest = status.digest();
   seen_.refused_commands = status.refused_commands();
@@ -188,6 +190,7 @@ void Ears::forget_world() {
   seen_.missing.clear();
   seen_.hung.clear();
   seen_.gone.clear();
+  seen_.removed.clear();
 }
 
 void Ears::forget_radio() {

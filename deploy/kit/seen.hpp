@@ -46,6 +46,7 @@ struct Seen {
   std::vector<std::string> missing;
   std::vector<std::string> hung;
   std::vector<std::string> gone;
+  std::vector<std::string> removed;
   std::uint64_t refused_commands = 0;
   bool radio_is_heard = false;
   std::uint64_t deliveries = 0;  ///< frames that the radio has handed over

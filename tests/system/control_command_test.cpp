@@ -56,7 +56,9 @@ TEST_F(ControlCommand, PausesStepsSteersAndDisturbsARun) {
   const Said wall = ctl({"teleport", "1", "0", "0"});
   EXPECT_EQ(wall.code, 1);
   EXPECT_EQ(wall.text, "refused: something solid is there\n");
-  EXPECT_THAT(ctl({"spawn"}).text, HasSubstr("refused: a running world takes no further robot"));
+  EXPECT_EQ(ctl({"spawn", "3", "5", "-5"}).text, "refused: robot 3 is in the world already\n");
+  EXPECT_EQ(ctl({"remove", "3"}).code, 0);
+  EXPECT_THAT(ctl({"status"}).text, HasSubstr("removed robot 3"));
   // Four robots cannot stand in the way at five places.
   Said teleport;
   for (const std::string x : {"-5", "-4", "-3", "-2", "-1"}) {

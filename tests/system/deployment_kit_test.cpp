@@ -24,7 +24,9 @@ class DeploymentKit : public deploy::DeploymentTest {
     if (with_faults) {
       EXPECT_TRUE(does("radio cut 1 2 at 150"));
       EXPECT_TRUE(does("teleport 1 5 0 1.5 at 200"));
+      EXPECT_TRUE(does("remove 2 at 250"));
       EXPECT_TRUE(does("hold 4 at 300"));
+      EXPECT_TRUE(does("spawn 2 5 -5 1.5 at 400"));
     }
     EXPECT_TRUE(does("go"));
     if (with_faults) {

@@ -245,6 +245,33 @@ TEST_F(Faults, AHungAgentIsCoastedPastUntilItAnswersAgain) {
   EXPECT_TRUE(goes_on());
 }
 
+TEST_F(Faults, ARobotIsTakenOutOfTheWorldAndPutBackIn) {
+  start_all_busy();
+  ASSERT_TRUE(does("remove 3"));
+  EXPECT_TRUE(comes("it is out", "removed has \"robot 3\" and members is 3 and gone is none", 10s));
+  EXPECT_TRUE(goes_on());
+  ASSERT_TRUE(does("pause"));
+  ASSERT_TRUE(does("spawn 3 4.5 4.5"));
+  ASSERT_TRUE(does("step"));
+  EXPECT_TRUE(comes("its agent is awaited at once", "removed is none and members is 4", 10s));
+  ASSERT_TRUE(does("resume"));
+  EXPECT_TRUE(goes_on());
+}
+
+TEST_F(Faults, ARobotIsSpawnedBeforeItHasAnAgent) {
+  start_all_busy();
+  ASSERT_TRUE(does("kill robot 3"));
+  EXPECT_TRUE(comes("its loss is noticed", "gone has \"robot 3\"", 8s));
+  ASSERT_TRUE(does("remove 3"));
+  EXPECT_TRUE(comes("it is out", "removed has \"robot 3\" and gone is none", 10s));
+  ASSERT_TRUE(does("spawn 3 4.5 4.5"));
+  EXPECT_TRUE(comes("it is missing", "missing has \"robot 3\" and removed is none and members is 3", 10s));
+  EXPECT_TRUE(goes_on());
+  ASSERT_TRUE(does("start robot 3"));
+  EXPECT_TRUE(comes("its agent has come", "missing is none", 15s));
+  expect_back_and_working(3);
+}
+
 TEST_F(Faults, AgentsMayComeBeforeTheWorld) {
   start_busy();
   ASSERT_TRUE(does("start robot 4"));

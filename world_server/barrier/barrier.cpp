@@ -10,7 +10,7 @@ Barrier::Barrier(const BarrierConfig& config) : config_{config}, robots_(config.
 std::vector<std::uint32_t> Barrier::missing() const {
   std::vector<std::uint32_t> ids;
   for (std::uint32_t i = 0; i < robots_.size(); ++i) {
-    if (robots_[i].standing != Standing::kJoined) ids.push_back(i + 1);
+    if (robots_[i].standing == Standing::kMissing) ids.push_back(i + 1);
   }
   return ids;
 }
@@ -36,6 +36,7 @@ void Barrier::open(Wall now) {
 Answer Barrier::answer(std::uint32_t robot) {
   CARAVAN_ASSERT(robot >= 1 && robot <= robots_.size());
   Robot& one = robots_[robot - 1];
+  if (one.standing == Standing::kRemoved) return Answer::kNextStep;
   if (one.standing != Standing::kJoined) {
     disturbed_ = disturbed_ || started_;
     one.standing = Standing::kJoined;
@@ -54,7 +55,21 @@ Answer Barrier::answer(std::uint32_t robot) {
 void Barrier::answer_late(std::uint32_t robot) {
   CARAVAN_ASSERT(robot >= 1 && robot <= robots_.size());
   Standing& standing = robots_[robot - 1].standing;
-  if (standing == Standing::kGone || standing == Standing::kCoasting) standing = Standing::kJoined;
+  const bool awaits_its_first = started_ && standing == Standing::kMissing;
+  if (standing == Standing::kGone || standing == Standing::kCoasting || awaits_its_first)
+    standing = Standing::kJoined;
+}
+
+void Barrier::remove(std::uint32_t robot, Wall now) {
+  CARAVAN_ASSERT(robot >= 1 && robot <= robots_.size());
+  Robot& one = robots_[robot - 1];
+  one.standing = Standing::kRemoved;
+  if (one.member) leave(one, now);
+}
+
+void Barrier::spawn(std::uint32_t robot, bool is_here) {
+  CARAVAN_ASSERT(robot >= 1 && robot <= robots_.size());
+  robots_[robot - 1].standing = is_here ? Standing::kJoined : Standing::kMissing;
 }
 
 void Barrier::leave(Robot& robot, Wall now) {
@@ -77,6 +92,7 @@ void Barrier::answer_radio_late() { radio_returns_ = radio_ == Radio::kGone; }
 bool Barrier::lose(std::uint32_t robot, Wall now) {
   CARAVAN_ASSERT(robot >= 1 && robot <= robots_.size());
   Robot& one = robots_[robot - 1];
+  if (one.standing == Standing::kRemoved) return false;
   if (one.standing == Standing::kMissing || one.standing == Standing::kGone) return false;
   if (!started_) {
     one.standing = Standing::kMissing;

@@ -42,7 +42,8 @@ class Barrier {
  public:
   explicit Barrier(const BarrierConfig& config);
 
-  /// Robots that have not answered stamp 0 yet. The first step may open when it is empty.
+  /// Robots that have not answered stamp 0 yet, or were spawned and have not answered since. The first step
+  /// may open when it is empty.
   [[nodiscard]] std::vector<std::uint32_t> missing() const;
 
   /// A new step begins: its members are those that answered the one before.
@@ -57,6 +58,12 @@ class Barrier {
   void answer_radio_late();
   /// @return true when a member left the step, so that the members changed
   bool lose(std::uint32_t robot, Wall now);
+  /// Between two steps: a robot is taken out of the world. Nothing that it answers counts.
+  void remove(std::uint32_t robot, Wall now);
+  /// Between two steps: it is in the world again.
+  /// @param is_here  its agent is there: a member of the next step, awaited in it. Otherwise it is missing,
+  ///                 and a member from the step after its first answer on.
+  void spawn(std::uint32_t robot, bool is_here);
   /// @return true when the radio was awaited
   bool lose_radio();
   /// Takes out who is late beyond patience: hung members where coasting is allowed, a radio that never came
@@ -75,7 +82,7 @@ class Barrier {
   [[nodiscard]] bool disturbed() const { return disturbed_; }
 
  private:
-  enum class Standing : std::uint8_t { kMissing, kJoined, kGone, kCoasting };
+  enum class Standing : std::uint8_t { kMissing, kJoined, kGone, kCoasting, kRemoved };
   enum class Radio : std::uint8_t { kMissing, kJoined, kGone };
   struct Robot {
     Standing standing = Standing::kMissing;

@@ -42,13 +42,10 @@ std::string Control::refusal_of(const Action& action) const {
           },
           [&](const Hold& hold) { return unless_known(hold.robot); },
           [&](const Release& release) { return unless_known(release.robot); },
-          [](const Spawn&) {
-            return std::string{
-                "a running world takes no further robot: its number is robots.count in the scenario"};
+          [&](const Spawn& spawn) {
+            return is_finite(spawn.at) ? unless_known(spawn.robot) : "the pose must be finite";
           },
-          [](const Remove&) {
-            return std::string{"a running world keeps its robots: stop the agent, and the body stands still"};
-          },
+          [&](const Remove& remove) { return unless_known(remove.robot); },
           [](const UnknownAction&) { return std::string{"unknown action"}; }},
       action);
 }
@@ -58,7 +55,7 @@ std::optional<Outcome> Control::ask(Order order, std::uint64_t next_step) {
   return agenda_.add(std::move(order), next_step, std::move(refusal));
 }
 
-std::string Control::obey(const Action& action, std::uint64_t step, const Place& place) {
+std::string Control::obey(const Action& action, std::uint64_t step, const Hands& hands) {
   const std::string done;
   return std::visit(pure::Overload{[&](const Pause&) {
                                      paused_ = true;
@@ -80,7 +77,13 @@ std::string Control::obey(const Action& action, std::uint64_t step, const Place&
                                      speed_ = speed.factor;
                                      return done;
                                    },
-                                   [&](const Teleport& teleport) { return place(teleport); },
+                                   [&](const Teleport& teleport) { return hands.teleport(teleport); },
+                                   [&](const Spawn& spawn) { return hands.spawn(spawn); },
+                                   [&](const Remove& remove) {
+                                     std::string refusal = hands.remove(remove);
+                                     if (refusal.empty()) held_[remove.robot - 1] = false;
+                                     return refusal;
+                                   },
                                    [&](const Hold& hold) {
                                      held_[hold.robot - 1] = true;
                                      return done;
@@ -89,18 +92,18 @@ std::string Control::obey(const Action& action, std::uint64_t step, const Place&
                                      held_[release.robot - 1] = false;
                                      return done;
                                    },
-                                   [&](const auto& never_taken) { return refusal_of(never_taken); }},
+                                   [&](const UnknownAction& never_taken) { return refusal_of(never_taken); }},
                     action);
 }
 
-std::vector<Outcome> Control::reach(std::uint64_t step, const Place& place) {
+std::vector<Outcome> Control::reach(std::uint64_t step, const Hands& hands) {
   if (pause_at_ && step >= *pause_at_) {
     paused_ = true;
     pause_at_.reset();
   }
   std::vector<Outcome> outcomes;
   for (const Order& order : agenda_.due(step)) {
-    const std::string refusal = obey(order.action, step, place);
+    const std::string refusal = obey(order.action, step, hands);
     const bool done = refusal.empty();
     used_ = used_ || done;
     outcomes.push_back(

@@ -33,7 +33,12 @@ struct Hold {
 struct Release {
   std::uint32_t robot = 0;
 };
-struct Spawn {};
+/// Puts a robot that was removed back into the world.
+struct Spawn {
+  std::uint32_t robot = 0;
+  Pose at;
+};
+/// Takes a robot out of the world, and ends hold.
 struct Remove {
   std::uint32_t robot = 0;
 };
@@ -56,8 +61,12 @@ struct ControlConfig {
 /// is controlled by orders for given steps repeats itself bit for bit.
 class Control {
  public:
-  /// Puts a robot somewhere. @return why it cannot be there, empty when it is done
-  using Place = std::function<std::string(const Teleport&)>;
+  /// What the world does to robots when it is told to. Each says why it cannot be done, or nothing.
+  struct Hands {
+    std::function<std::string(const Teleport&)> teleport;
+    std::function<std::string(const Spawn&)> spawn;
+    std::function<std::string(const Remove&)> remove;
+  };
 
   explicit Control(const ControlConfig& config);
 
@@ -67,7 +76,7 @@ class Control {
   [[nodiscard]] std::optional<Outcome> ask(Order order, std::uint64_t next_step);
   /// Step `step` may begin now. Called again while the world is held before it.
   /// @return what became of the orders that were due
-  [[nodiscard]] std::vector<Outcome> reach(std::uint64_t step, const Place& place);
+  [[nodiscard]] std::vector<Outcome> reach(std::uint64_t step, const Hands& hands);
   /// The run is over: nothing is obeyed any more.
   [[nodiscard]] std::vector<Outcome> end();
 
@@ -80,7 +89,7 @@ class Control {
  private:
   [[nodiscard]] std::string refusal_of(const Action& action) const;
   /// @return why not, empty when it is done
-  [[nodiscard]] std::string obey(const Action& action, std::uint64_t step, const Place& place);
+  [[nodiscard]] std::string obey(const Action& action, std::uint64_t step, const Hands& hands);
 
   ControlConfig config_;
   pure::Agenda<Action> agenda_;

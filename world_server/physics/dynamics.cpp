@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "world_server/physics/stage.hpp"
@@ -23,6 +24,7 @@ struct Dynamics::Impl {
         alone{config, statics, 1},
         couple{config, statics, 2},
         poses{starts.begin(), starts.end()},
+        present(starts.size(), true),
         company(starts.size()),
         partners(starts.size()) {
     for (const Pose& start : starts) {
@@ -41,7 +43,7 @@ struct Dynamics::Impl {
     touches.clear();
     find_pairs();
     for (std::uint32_t robot = 0; robot < robots.size(); ++robot) {
-      if (!company[robot]) step_loner(robot);
+      if (present[robot] && !company[robot]) step_loner(robot);
     }
     if (!pairs.empty()) {
       for (std::uint32_t i = 0; i < substeps; ++i) step_company();
@@ -60,6 +62,7 @@ struct Dynamics::Impl {
     neighbours.rebuild(places, 2.0 * (hull_radius + margin));
     std::fill(company.begin(), company.end(), false);
     for (std::uint32_t i = 0; i < places.size(); ++i) {
+      if (!present[i]) continue;
       neighbours.near(places[i], found);
       for (const std::uint32_t k : found) {
         if (k <= i) continue;
@@ -191,6 +194,7 @@ struct Dynamics::Impl {
   Stage couple;
   std::vector<RobotState> robots;
   std::vector<Pose> poses;
+  std::vector<bool> present;  // by robot: is it in the world?
   std::vector<Touch> touches;
   Neighbours neighbours;
   std::vector<Point> places;
@@ -222,6 +226,13 @@ void Dynamics::push(std::size_t robot, double force_n) { impl_->robots[robot].pu
 void Dynamics::place(std::size_t robot, const Pose& pose) {
   stand(impl_->robots[robot], impl_->plan, pose);
   impl_->poses[robot] = pose_of(impl_->robots[robot], impl_->plan);
+  impl_->present[robot] = true;
+}
+
+void Dynamics::remove(std::size_t robot) {
+  constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+  impl_->poses[robot] = {kNowhere, kNowhere, kNowhere};
+  impl_->present[robot] = false;
 }
 
 void Dynamics::advance() { impl_->advance(); }

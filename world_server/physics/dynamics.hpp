@@ -42,9 +42,11 @@ class Dynamics {
   /// A force at the centre of mass along the heading, for the whole of the next step.
   void push(std::size_t robot, double force_n);
 
-  /// Puts a robot somewhere, at rest. What its wheels have turned stays as it was.
+  /// Puts a robot somewhere, at rest, wherever it was. What its wheels have turned stays as it was.
   /// @pre nothing else is there
   void place(std::size_t robot, const Pose& pose);
+  /// Takes a robot out: nothing touches it, and its pose is NaN, until it is placed.
+  void remove(std::size_t robot);
 
   /// One step of config.step_s.
   void advance();

@@ -21,6 +21,11 @@ std::optional<ItemEvent> Items::grip(std::uint32_t robot, const Pose& pose, bool
   return closed ? close(robot, pose) : open(robot, pose);
 }
 
+void Items::withdraw(std::uint32_t robot) {
+  const Gripper left = std::exchange(grippers_[robot - 1], {});
+  if (left.holding && rules_.items > 0) ++stock_;
+}
+
 std::optional<ItemEvent> Items::close(std::uint32_t robot, const Pose& pose) {
   const bool has_stock = rules_.items == 0 || stock_ > 0;
   if (!has_stock || !is_at(rules_.source, pose)) {

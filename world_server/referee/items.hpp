@@ -34,6 +34,10 @@ class Items {
   /// A gripper's position now. Robots are numbered from 1.
   std::optional<ItemEvent> grip(std::uint32_t robot, const Pose& pose, bool closed);
 
+  /// A robot is taken out of the world: its gripper is open from now on, and what it held is back in the
+  /// stock.
+  void withdraw(std::uint32_t robot);
+
   [[nodiscard]] bool holds(std::uint32_t robot) const { return grippers_[robot - 1].holding; }
   [[nodiscard]] bool is_closed(std::uint32_t robot) const { return grippers_[robot - 1].closed; }
   [[nodiscard]] std::uint32_t stock() const { return stock_; }

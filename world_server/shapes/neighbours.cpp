@@ -16,6 +16,7 @@ void Neighbours::rebuild(std::span<const Point> points, double reach) {
   points_.assign(points.begin(), points.end());
   cells_.clear();
   for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (std::isnan(points_[i].x) || std::isnan(points_[i].y)) continue;
     cells_.emplace_back(cell_of(points_[i]), static_cast<std::uint32_t>(i));
   }
   std::sort(cells_.begin(), cells_.end());

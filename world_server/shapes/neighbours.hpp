@@ -13,7 +13,8 @@ namespace caravan::world {
 /// Which of many moving points are near a place.
 class Neighbours {
  public:
-  /// @param reach  metres, > 0
+  /// @param points  one with a NaN is nowhere
+  /// @param reach   metres, > 0
   void rebuild(std::span<const Point> points, double reach);
 
   /// Indices of the points within reach of `place`, ascending; replaces what `found` held.

@@ -34,7 +34,7 @@ Action to_action(const msg::ControlRequest& request) {
     case kind::RELEASE:
       return Release{robot};
     case kind::SPAWN:
-      return Spawn{};
+      return Spawn{robot, {request.x_m(), request.y_m(), request.yaw_rad()}};
     case kind::REMOVE:
       return Remove{robot};
     default:
@@ -84,10 +84,38 @@ void WorldShell::on_control(const msg::ControlRequest& request) {
 void WorldShell::reach_boundary() {
   const bool was_paused = control_.is_paused();
   reply(control_.reach(
-      world_.step(), [this](const Teleport& teleport) { return world_.place(teleport.robot, teleport.to); }));
+      world_.step(),
+      {.teleport = [this](const Teleport& teleport) { return world_.place(teleport.robot, teleport.to); },
+       .spawn = [this](const Spawn& spawn) { return this->spawn(spawn); },
+       .remove = [this](const Remove& remove) { return this->remove(remove); }}));
   if (control_.is_paused() == was_paused) return;
   status_due_ = {};
   loop_.notify();
+}
+
+std::string WorldShell::spawn(const Spawn& spawn) {
+  std::string refusal = world_.spawn(spawn.robot, spawn.at);
+  if (!refusal.empty()) return refusal;
+  auto& owner = robot_owners_[spawn.robot - 1];
+  const auto& agents = agents_[spawn.robot - 1];
+  // It is awaited in the step that begins now if its agent is known to live. So what an order for a step
+  // leads to does not hang on how fast anybody is.
+  if (!owner && !agents.empty()) owner = agents.front();
+  barrier_.spawn(spawn.robot, owner.has_value());
+  status_due_ = {};
+  loop_.notify();
+  return "";
+}
+
+std::string WorldShell::remove(const Remove& remove) {
+  std::string refusal = world_.remove(remove.robot);
+  if (!refusal.empty()) return refusal;
+  barrier_.remove(remove.robot, std::chrono::steady_clock::now());
+  commands_[remove.robot - 1].reset();
+  radio_due_[remove.robot - 1] = false;
+  status_due_ = {};
+  loop_.notify();
+  return "";
 }
 
 void WorldShell::reply(const std::vector<Outcome>& outcomes) {

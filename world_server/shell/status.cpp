@@ -51,6 +51,7 @@ void WorldShell::publish_status(Wall now) {
   status.missing(missing());
   status.hung(in_words(named_hung_));
   status.gone(in_words(barrier_.gone()));
+  status.removed(in_words(removed()));
   status.members(static_cast<std::uint32_t>(barrier_.members().size()));
   status.steps_per_s(since > 0.0 ? static_cast<double>(steps - tallies_.steps_at_status) / since : 0.0);
   status.items_delivered(world_.items_delivered());

@@ -20,11 +20,21 @@ void WorldShell::read_mailbox() {
     const std::lock_guard lock{mailbox_mutex_};
     news.swap(mailbox_);
   }
-  for (const Discovery& one : news) forget(one);
+  for (const Discovery& one : news) {
+    if (one.kind == Discovery::Kind::kGone) forget(one);
+    if (one.kind == Discovery::Kind::kWriterFound) meet(one);
+  }
+}
+
+void WorldShell::meet(const Discovery& writer) {
+  for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
+    if (writer.topic == idl::name_for(idl::kCommand, robot)) agents_[robot - 1].push_back(writer.participant);
+  }
 }
 
 void WorldShell::forget(const Discovery& gone) {
   credits_.lose(gone.participant);
+  for (auto& agents : agents_) std::erase(agents, gone.participant);
   bool members_changed = false;
   for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
     if (robot_owners_[robot - 1] != gone.participant) continue;
@@ -113,6 +123,7 @@ void WorldShell::publish_sensors() {
   frame_.stamp(idl::to_wire(stamp_));
   frame_.session(session_);
   for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
+    if (!world_.is_present(robot)) continue;
     {
       const Stopwatch watch{tallies_.sensors};
       to_wire(world_.sense(robot), frame_);

@@ -65,9 +65,16 @@ Wall WorldShell::next_deadline(Wall now) const {
 
 std::vector<std::string> WorldShell::missing() const {
   std::vector<std::string> names = credits_.missing();
-  if (phase_ != Phase::kWaiting) return names;
   for (const std::uint32_t robot : barrier_.missing()) names.push_back("robot " + std::to_string(robot));
   return names;
+}
+
+std::vector<std::uint32_t> WorldShell::removed() const {
+  std::vector<std::uint32_t> robots;
+  for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
+    if (!world_.is_present(robot)) robots.push_back(robot);
+  }
+  return robots;
 }
 
 }  // namespace caravan::world

@@ -18,13 +18,16 @@ void to_wire(const Senses& senses, msg::SensorFrame& frame) {
 void to_wire(const World& world, std::span<const std::uint32_t> members, msg::WorldTruth& truth) {
   truth.members().assign(members.begin(), members.end());
   const auto poses = world.poses();
-  truth.robots().resize(poses.size());
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    msg::RobotTruth& robot = truth.robots()[i];
-    robot.robot(static_cast<std::uint32_t>(i + 1));
-    robot.x_m(poses[i].x_m);
-    robot.y_m(poses[i].y_m);
-    robot.yaw_rad(poses[i].yaw_rad);
+  truth.robots().clear();
+  for (std::uint32_t number = 1; number <= poses.size(); ++number) {
+    if (!world.is_present(number)) continue;
+    const Pose& pose = poses[number - 1];
+    msg::RobotTruth robot;
+    robot.robot(number);
+    robot.x_m(pose.x_m);
+    robot.y_m(pose.y_m);
+    robot.yaw_rad(pose.yaw_rad);
+    truth.robots().push_back(robot);
   }
   truth.contacts().clear();
   for (const ContactEpisode& contact : world.contacts()) {

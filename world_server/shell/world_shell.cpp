@@ -52,10 +52,11 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
       commands_(config.robots.count),
       commanded_at_(config.robots.count),
       robot_owners_(config.robots.count),
+      agents_(config.robots.count),
       radio_due_(config.robots.count, false),
       radio_chain_{pure::HashChain{}.value()},
       bus_{bus, [this](const Discovery& news) {
-             if (news.kind != Discovery::Kind::kGone) return;
+             if (news.kind != Discovery::Kind::kGone && news.kind != Discovery::Kind::kWriterFound) return;
              const std::lock_guard lock{mailbox_mutex_};
              mailbox_.push_back(news);
              loop_.notify();

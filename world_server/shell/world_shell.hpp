@@ -59,9 +59,12 @@ class WorldShell {
 
   // The step. All of these run under the lock.
   void read_mailbox();
+  void meet(const runtime::Discovery& writer);
   void forget(const runtime::Discovery& gone);
   void progress();
   void reach_boundary();
+  [[nodiscard]] std::string spawn(const Spawn& spawn);
+  [[nodiscard]] std::string remove(const Remove& remove);
   void reply(const std::vector<Outcome>& outcomes);
   [[nodiscard]] std::uint64_t next_step() const;
   [[nodiscard]] bool is_disturbed() const;
@@ -79,6 +82,7 @@ class WorldShell {
   void name_the_late(Wall now);
   [[nodiscard]] Wall next_deadline(Wall now) const;
   [[nodiscard]] std::vector<std::string> missing() const;
+  [[nodiscard]] std::vector<std::uint32_t> removed() const;
 
   WorldConfig config_;
   runtime::Loop& loop_;
@@ -99,6 +103,7 @@ class WorldShell {
   std::vector<std::uint32_t> reporting_;  // robots that have reported in the open step
   std::vector<std::optional<runtime::ParticipantId>> robot_owners_;
   std::optional<runtime::ParticipantId> radio_owner_;
+  std::vector<std::vector<runtime::ParticipantId>> agents_;  // that live, by robot: the first one found first
   std::vector<bool> radio_due_;
   std::uint64_t radio_chain_;
   bool radio_controlled_ = false;

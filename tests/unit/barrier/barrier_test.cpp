@@ -145,6 +145,49 @@ TEST(Barrier, HoldsAStepThatLostAllMembersUntilOneAnswers) {
   EXPECT_THAT(barrier.members(), ElementsAre(2));
 }
 
+TEST(Barrier, DoesNotWaitForARobotThatWasRemoved) {
+  Barrier barrier = under_way();
+  barrier.remove(2, kStart);
+  barrier.open(kStart);
+  EXPECT_THAT(barrier.members(), ElementsAre(1, 3));
+  EXPECT_EQ(barrier.answer(2), Answer::kNextStep);
+  barrier.answer_late(2);
+  EXPECT_FALSE(barrier.lose(2, kStart));
+  EXPECT_THAT(barrier.missing(), IsEmpty());
+  EXPECT_THAT(barrier.gone(), IsEmpty());
+  barrier.open(kStart);
+  EXPECT_THAT(barrier.members(), ElementsAre(1, 3)) << "whatever it answered";
+}
+
+TEST(Barrier, WaitsInTheNextStepForASpawnedRobotWhoseAgentIsThere) {
+  Barrier barrier = under_way();
+  barrier.remove(2, kStart);
+  barrier.open(kStart);
+  barrier.spawn(2, true);
+  EXPECT_THAT(barrier.members(), ElementsAre(1, 3));
+  barrier.open(kStart);
+  EXPECT_THAT(barrier.members(), ElementsAre(1, 2, 3));
+  barrier.answer(1);
+  barrier.answer(3);
+  EXPECT_FALSE(barrier.commands_in());
+}
+
+TEST(Barrier, MissesASpawnedRobotUntilItsAgentAnswers) {
+  for (const bool late : {false, true}) {
+    SCOPED_TRACE(late);
+    Barrier barrier = under_way();
+    barrier.remove(2, kStart);
+    barrier.spawn(2, false);
+    barrier.open(kStart);
+    EXPECT_THAT(barrier.missing(), ElementsAre(2));
+    EXPECT_THAT(barrier.members(), ElementsAre(1, 3));
+    late ? barrier.answer_late(2) : static_cast<void>(barrier.answer(2));
+    barrier.open(kStart);
+    EXPECT_THAT(barrier.members(), ElementsAre(1, 2, 3));
+    EXPECT_THAT(barrier.missing(), IsEmpty());
+  }
+}
+
 TEST(Barrier, StopsWaitingForARadioThatIsGone) {
   Barrier barrier = under_way();
   EXPECT_TRUE(barrier.lose_radio());

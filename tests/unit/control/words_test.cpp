@@ -37,7 +37,10 @@ TEST(ControlWords, ReadEachForm) {
   EXPECT_EQ(read("step 25").steps(), 25U);
   EXPECT_EQ(read("speed 2.5").speed_factor(), 2.5);
   EXPECT_EQ(read("speed max").speed_factor(), 0.0);
-  EXPECT_EQ(read("spawn").action(), kind::SPAWN);
+  const auto spawn = read("spawn 4 1.5 -2 at 9");
+  EXPECT_EQ(spawn.action(), kind::SPAWN);
+  EXPECT_THAT(spawn.robots(), ElementsAre(4));
+  EXPECT_EQ(spawn.y_m(), -2.0);
   EXPECT_THAT(read("remove 2").robots(), ElementsAre(2));
   EXPECT_EQ(read("hold 3").action(), kind::HOLD);
   EXPECT_EQ(read("release 3 at 9").action(), kind::RELEASE);

@@ -20,15 +20,28 @@ class WorldControl : public ::testing::Test {
     return control_.ask({"me", ++id_, at_step, std::move(action)}, next_step);
   }
   std::vector<Outcome> reach(std::uint64_t step) {
-    return control_.reach(step, [this](const Teleport& teleport) {
-      placed_.push_back(teleport);
-      return refusal_;
-    });
+    return control_.reach(step, {.teleport =
+                                     [this](const Teleport& teleport) {
+                                       placed_.push_back(teleport);
+                                       return refusal_;
+                                     },
+                                 .spawn =
+                                     [this](const Spawn& spawn) {
+                                       spawned_.push_back(spawn.robot);
+                                       return refusal_;
+                                     },
+                                 .remove =
+                                     [this](const Remove& remove) {
+                                       removed_.push_back(remove.robot);
+                                       return refusal_;
+                                     }});
   }
 
   Control control_{{.robots = 4}};
   std::uint32_t id_ = 0;
   std::vector<Teleport> placed_;
+  std::vector<std::uint32_t> spawned_;
+  std::vector<std::uint32_t> removed_;
   std::string refusal_;
 };
 
@@ -115,6 +128,28 @@ TEST_F(WorldControl, HoldsARobotUntilItIsReleased) {
   EXPECT_FALSE(control_.is_held(2));
 }
 
+TEST_F(WorldControl, RemovesAndSpawnsAtTheirSteps) {
+  (void)ask(Spawn{2, {1.0, 0.0, 0.0}}, 9);
+  (void)ask(Remove{2}, 4);
+  (void)reach(4);
+  EXPECT_THAT(removed_, ::testing::ElementsAre(2));
+  EXPECT_THAT(spawned_, IsEmpty());
+  (void)reach(9);
+  EXPECT_THAT(spawned_, ::testing::ElementsAre(2));
+}
+
+TEST_F(WorldControl, NoLongerHoldsARobotThatIsRemoved) {
+  (void)ask(Hold{2});
+  (void)ask(Hold{3});
+  (void)ask(Remove{2});
+  (void)reach(1);
+  EXPECT_FALSE(control_.is_held(2));
+  refusal_ = "it stays";
+  (void)ask(Remove{3}, 0, 2);
+  EXPECT_EQ(reach(2)[0].reason, "it stays");
+  EXPECT_TRUE(control_.is_held(3));
+}
+
 TEST_F(WorldControl, ChangesTheSpeed) {
   EXPECT_EQ(control_.speed(), 0.0);
   (void)ask(SetSpeed{2.5});
@@ -125,11 +160,17 @@ TEST_F(WorldControl, ChangesTheSpeed) {
 TEST_F(WorldControl, RefusesWhatMakesNoSense) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::pair<Action, std::string>> cases{
-      {Hold{0}, "no robot 0"},          {Release{5}, "no robot 5"},
-      {Teleport{9, {}}, "no robot 9"},  {Teleport{1, {nan, 0.0, 0.0}}, "finite"},
-      {TakeSteps{0}, "at least 1"},     {SetSpeed{-1.0}, "0.001 to 1000"},
-      {SetSpeed{nan}, "0.001 to 1000"}, {Spawn{}, "robots.count"},
-      {Remove{1}, "stop the agent"},    {UnknownAction{}, "unknown"},
+      {Hold{0}, "no robot 0"},
+      {Release{5}, "no robot 5"},
+      {Teleport{9, {}}, "no robot 9"},
+      {Teleport{1, {nan, 0.0, 0.0}}, "finite"},
+      {TakeSteps{0}, "at least 1"},
+      {SetSpeed{-1.0}, "0.001 to 1000"},
+      {SetSpeed{nan}, "0.001 to 1000"},
+      {Spawn{5, {}}, "no robot 5, only 1 to 4"},
+      {Spawn{1, {nan, 0.0, 0.0}}, "finite"},
+      {Remove{5}, "no robot 5"},
+      {UnknownAction{}, "unknown"},
   };
   for (const auto& [action, reason] : cases) {
     SCOPED_TRACE(reason);
