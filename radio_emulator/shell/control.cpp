@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is asked of the running radio, and its answers.
-#include <spdlog/spdlog.h>
-
 #include <cmath>
 
 #include "radio_emulator/shell/radio_shell.hpp"
+#include "runtime/control/reply.hpp"
 
 namespace caravan::radio {
 namespace msg = caravan_interfaces::msg;
@@ -13,7 +12,6 @@ using pure::Outcome;
 namespace {
 
 namespace kind = msg::ControlRequest_Constants;
-namespace result = msg::ControlReply_Constants;
 
 RadioAction to_action(const msg::ControlRequest& request) {
   if (request.action() == kind::RADIO_CLEAR) return ClearRules{};
@@ -24,18 +22,6 @@ RadioAction to_action(const msg::ControlRequest& request) {
   }
   if (!std::isnan(request.loss_probability())) rule.loss = request.loss_probability();
   return AddRule{rule};
-}
-
-std::uint8_t to_wire(Outcome::Kind outcome) {
-  switch (outcome) {
-    case Outcome::Kind::kRefused:
-      return result::REFUSED;
-    case Outcome::Kind::kScheduled:
-      return result::SCHEDULED;
-    case Outcome::Kind::kDone:
-      return result::DONE;
-  }
-  return result::REFUSED;
 }
 
 }  // namespace
@@ -53,19 +39,9 @@ void RadioShell::on_control(const msg::ControlRequest& request) {
 }
 
 void RadioShell::reply(const Outcome& outcome) {
-  if (outcome.kind != Outcome::Kind::kScheduled) {
-    spdlog::info("control {} requester=\"{}\" id={} step={}{}{}",
-                 outcome.kind == Outcome::Kind::kDone ? "done" : "refused", outcome.requester, outcome.id,
-                 outcome.step, outcome.reason.empty() ? "" : ": ", outcome.reason);
-  }
-  msg::ControlReply sample;
-  sample.requester(outcome.requester);
-  sample.id(outcome.id);
-  sample.session(session_);
-  sample.outcome(to_wire(outcome.kind));
-  sample.step(outcome.step);
-  sample.reason(outcome.reason);
-  refused_writes_ += replies_.write(sample) ? 0U : 1U;
+  runtime::log_outcome(outcome);
+  msg::ControlReply reply = runtime::to_reply(outcome, session_);
+  refused_writes_ += replies_.write(reply) ? 0U : 1U;
 }
 
 void RadioShell::reply(const std::vector<Outcome>& outcomes) {

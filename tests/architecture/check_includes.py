@@ -20,6 +20,7 @@ ALLOWED = {
     "runtime/trace": [STD, "runtime/config"],
     "runtime/process": [STD, POSIX, LOG, CLI, "runtime/config", "runtime/bus/transport.hpp"],
     "runtime/bus": [STD, POSIX, DDS, ROBOT_TYPES, "idl", "runtime/config", "runtime/pure"],
+    "runtime/control": [STD, LOG, TRUTH_TYPES, "runtime/pure"],
     "idl": [STD, ROBOT_TYPES],
     "robot_agent/core": [STD, EIGEN, "runtime/pure"],
     "robot_agent/config": [STD, EIGEN, *CONFIG, "robot_agent/core"],

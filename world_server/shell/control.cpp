@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is asked of the running world, and its answers.
-#include <spdlog/spdlog.h>
-
+#include "runtime/control/reply.hpp"
 #include "world_server/shell/world_shell.hpp"
 
 namespace caravan::world {
@@ -10,7 +9,6 @@ namespace msg = caravan_interfaces::msg;
 namespace {
 
 namespace kind = msg::ControlRequest_Constants;
-namespace result = msg::ControlReply_Constants;
 
 bool is_for_the_radio(const msg::ControlRequest& request) {
   return request.action() == kind::RADIO_OVERRIDE || request.action() == kind::RADIO_CLEAR;
@@ -40,18 +38,6 @@ Action to_action(const msg::ControlRequest& request) {
     default:
       return UnknownAction{};
   }
-}
-
-std::uint8_t to_wire(Outcome::Kind outcome) {
-  switch (outcome) {
-    case Outcome::Kind::kRefused:
-      return result::REFUSED;
-    case Outcome::Kind::kScheduled:
-      return result::SCHEDULED;
-    case Outcome::Kind::kDone:
-      return result::DONE;
-  }
-  return result::REFUSED;
 }
 
 }  // namespace
@@ -120,19 +106,9 @@ std::string WorldShell::remove(const Remove& remove) {
 
 void WorldShell::reply(const std::vector<Outcome>& outcomes) {
   for (const Outcome& outcome : outcomes) {
-    if (outcome.kind != Outcome::Kind::kScheduled) {
-      spdlog::info("control {} requester=\"{}\" id={} step={}{}{}",
-                   outcome.kind == Outcome::Kind::kDone ? "done" : "refused", outcome.requester, outcome.id,
-                   outcome.step, outcome.reason.empty() ? "" : ": ", outcome.reason);
-    }
-    msg::ControlReply sample;
-    sample.requester(outcome.requester);
-    sample.id(outcome.id);
-    sample.session(session_);
-    sample.outcome(to_wire(outcome.kind));
-    sample.step(outcome.step);
-    sample.reason(outcome.reason);
-    if (!replies_.write(sample)) ++tallies_.refused_writes;
+    runtime::log_outcome(outcome);
+    msg::ControlReply reply = runtime::to_reply(outcome, session_);
+    if (!replies_.write(reply)) ++tallies_.refused_writes;
   }
 }
 
