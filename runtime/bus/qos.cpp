@@ -5,6 +5,7 @@
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -81,7 +82,7 @@ void look_for_peers_on_loopback(rtps::BuiltinAttributes& builtin) {
 }
 
 std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(const BusConfig& config) {
-  if (config.transport == Transport::kSharedMemory) return shared_memory();
+  if (config.transport == Transport::kSharedMemory) return shared_memory(config.lease_s);
   return config.around_udp ? config.around_udp : loopback_udp();
 }
 
@@ -91,10 +92,14 @@ eprosima::fastrtps::Duration_t milliseconds(std::uint32_t count) {
 
 }  // namespace
 
-std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory() {
+std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory(double lease_s) {
   const auto transport = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
-  transport->healthy_check_timeout_ms(
-      600'000);  // the default loses samples for good when a process is stopped for 2 s
+  // A reader of a port that does nothing for so long is taken for dead and its port is made anew. Not before
+  // it is gone by its lease: what is in the port of a process that is only suspended would be lost for good.
+  // But soon after: all read announcements from one port, in which a killed process leaves a gap that fills
+  // up; then nobody finds anybody any more.
+  const double patience_s = std::max(10.0, 2.0 * lease_s);
+  transport->healthy_check_timeout_ms(static_cast<std::uint32_t>(patience_s * 1000.0));
   return transport;
 }
 
