@@ -27,6 +27,7 @@ RadioShell::RadioShell(const MediumConfig& config, std::uint32_t robots, const r
              if (news.kind != Discovery::Kind::kGone) return;
              const std::lock_guard lock{mailbox_mutex_};
              lost_.push_back(news.participant);
+             loop_.notify();
            }} {
   radio_steps_ = bus_.writer<msg::RadioStepPubSubType>(idl::kRadioStep);
   statuses_ = bus_.writer<msg::RadioStatusPubSubType>(idl::kRadioStatus);
@@ -95,19 +96,39 @@ void RadioShell::on_truth(const msg::WorldTruth& sample) {
 void RadioShell::on_transmit(std::uint32_t robot, const msg::RadioTransmit& sample,
                              const ParticipantId& sender) {
   const std::lock_guard lock{mutex_};
+  read_mailbox();
+  Robot& from = robots_[robot - 1];
+  if (!from.owner) from.owner = sender;
+  if (from.owner == sender) {
+    take_transmit(from, sample);
+    return;
+  }
+  ++stale_samples_;
+  from.successor = {sender, sample};
+}
+
+void RadioShell::read_mailbox() {
+  std::vector<ParticipantId> lost;
   {
     const std::lock_guard mail{mailbox_mutex_};
-    for (const ParticipantId& lost : lost_) {
-      for (Robot& one : robots_) {
-        if (one.owner == lost) one.owner.reset();
+    lost.swap(lost_);
+  }
+  for (const ParticipantId& one : lost) {
+    for (Robot& robot : robots_) {
+      if (robot.successor && robot.successor->who == one) robot.successor.reset();
+      if (robot.owner != one) continue;
+      robot.owner.reset();
+      if (const auto next = std::exchange(robot.successor, std::nullopt)) {
+        robot.owner = next->who;
+        take_transmit(robot, next->sample);
       }
     }
-    lost_.clear();
   }
-  Robot& from = robots_[robot - 1];
+}
+
+void RadioShell::take_transmit(Robot& from, const msg::RadioTransmit& sample) {
   const Time stamp = idl::to_time(sample.stamp());
-  if (!from.owner) from.owner = sender;
-  if (!follow_session(sample.session()) || from.owner != sender || (from.sent_at && stamp <= *from.sent_at)) {
+  if (!follow_session(sample.session()) || (from.sent_at && stamp <= *from.sent_at)) {
     ++stale_samples_;
     return;
   }
@@ -198,6 +219,7 @@ int RadioShell::run() {
     if (loop_.wait(std::chrono::steady_clock::now() + 500ms) == runtime::Loop::Woken::kStop)
       return runtime::kDone;
     const std::lock_guard lock{mutex_};
+    read_mailbox();
     publish_status();
     if (trace_) trace_->keep_up();
   }

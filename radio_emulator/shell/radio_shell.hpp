@@ -40,8 +40,14 @@ class RadioShell {
  private:
   using Time = std::chrono::nanoseconds;
 
+  /// The newest transmission of a participant that does not count as long as the one before it is not gone.
+  struct Successor {
+    runtime::ParticipantId who;
+    caravan_interfaces::msg::RadioTransmit sample;
+  };
   struct Robot {
     std::optional<runtime::ParticipantId> owner;
+    std::optional<Successor> successor;
     std::optional<Time> sent_at;  // stamp of the newest transmission
     Transmission pending;         // not evaluated yet; its tuned channel holds on
   };
@@ -49,6 +55,8 @@ class RadioShell {
   void on_truth(const caravan_interfaces::msg::WorldTruth& sample);
   void on_transmit(std::uint32_t robot, const caravan_interfaces::msg::RadioTransmit& sample,
                    const runtime::ParticipantId& sender);
+  void take_transmit(Robot& from, const caravan_interfaces::msg::RadioTransmit& sample);
+  void read_mailbox();
   void on_control(const caravan_interfaces::msg::ControlRequest& request);
   void reply(const pure::Outcome& outcome);
   void reply(const std::vector<pure::Outcome>& outcomes);

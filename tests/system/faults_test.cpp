@@ -150,6 +150,13 @@ TEST_F(Faults, ARunThatLostAllItsAgentsGoesOnWithNewOnes) {
   EXPECT_TRUE(goes_on());
 }
 
+TEST_F(Faults, AgentsThatAreReplacedAtOnceGoOn) {
+  start_all_busy();
+  ASSERT_TRUE(does("restart robots"));
+  EXPECT_TRUE(comes("they begin anew", "gone is none and members is 4 and disturbed is yes", 20s));
+  EXPECT_TRUE(goes_on());
+}
+
 TEST_F(Faults, AKilledWorldBeginsANewSessionWithTheSameAgents) {
   start_all_busy();
   EXPECT_TRUE(comes(

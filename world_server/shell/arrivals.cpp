@@ -24,10 +24,19 @@ bool WorldShell::owns(std::optional<ParticipantId>& owner, const ParticipantId& 
 void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample,
                             const ParticipantId& sender) {
   const std::lock_guard lock{mutex_};
-  const bool is_ours = sample.session() == session_ && owns(robot_owners_[robot - 1], sender);
-  if (!is_ours || !is_current(sample.session(), idl::to_time(sample.stamp()))) {
+  if (sample.session() == session_ && owns(robot_owners_[robot - 1], sender)) {
+    take_command(robot, sample);
+    progress();
+    return;
+  }
+  ++tallies_.stale_samples;
+  if (sample.session() == session_) robot_successors_[robot - 1] = {sender, sample};
+}
+
+void WorldShell::take_command(std::uint32_t robot, const msg::RobotCommand& sample) {
+  if (!is_current(sample.session(), idl::to_time(sample.stamp()))) {
     ++tallies_.stale_samples;
-    if (is_ours) barrier_.answer_late(robot);
+    barrier_.answer_late(robot);
     return;
   }
   const Sanitised safe = sanitise(sample.left_mps(), sample.right_mps(), config_.robots.wheel_limit_mps);
@@ -48,15 +57,23 @@ void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample
     commanded_at_[robot - 1] = stamp_;
   }
   if (answer == Answer::kRevives) publish_truth(false);
-  progress();
 }
 
 void WorldShell::on_radio_step(const msg::RadioStep& sample, const ParticipantId& sender) {
   const std::lock_guard lock{mutex_};
-  const bool is_ours = sample.session() == session_ && owns(radio_owner_, sender);
-  if (!is_ours || !is_current(sample.session(), idl::to_time(sample.stamp()))) {
+  if (sample.session() == session_ && owns(radio_owner_, sender)) {
+    take_radio_step(sample);
+    progress();
+    return;
+  }
+  ++tallies_.stale_samples;
+  if (sample.session() == session_) radio_successor_ = {sender, sample};
+}
+
+void WorldShell::take_radio_step(const msg::RadioStep& sample) {
+  if (!is_current(sample.session(), idl::to_time(sample.stamp()))) {
     ++tallies_.stale_samples;
-    if (is_ours) barrier_.answer_radio_late();
+    barrier_.answer_radio_late();
     return;
   }
   for (const std::uint32_t robot : sample.receivers()) {
@@ -65,7 +82,6 @@ void WorldShell::on_radio_step(const msg::RadioStep& sample, const ParticipantId
   radio_chain_ = sample.chain();
   radio_controlled_ = radio_controlled_ || sample.controlled();
   barrier_.answer_radio();
-  progress();
 }
 
 void WorldShell::on_credit(const msg::RunCredit& sample, const ParticipantId& sender) {

@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include <utility>
+
 #include "idl/stamp.hpp"
 #include "runtime/pure/digest.hpp"
 #include "world_server/shell/wire.hpp"
@@ -36,21 +38,38 @@ void WorldShell::forget(const Discovery& gone) {
   credits_.lose(gone.participant);
   for (auto& agents : agents_) std::erase(agents, gone.participant);
   bool members_changed = false;
-  for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
-    if (robot_owners_[robot - 1] != gone.participant) continue;
-    spdlog::warn("robot lost robot={} pid={} host={}", robot, gone.identity.pid, gone.identity.host);
-    robot_owners_[robot - 1].reset();
-    members_changed = barrier_.lose(robot, std::chrono::steady_clock::now()) || members_changed;
-    commands_[robot - 1].reset();
-  }
-  if (radio_owner_ == gone.participant) {
-    spdlog::warn("radio lost pid={} host={}: the robots drive on alone", gone.identity.pid,
-                 gone.identity.host);
-    radio_owner_.reset();
-    barrier_.lose_radio();
-    radio_due_.assign(radio_due_.size(), false);
-  }
+  for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot)
+    members_changed = forget_agent(robot, gone) || members_changed;
+  forget_radio(gone);
   if (members_changed && (phase_ == Phase::kOpen || phase_ == Phase::kAdvanced)) publish_truth(false);
+}
+
+bool WorldShell::forget_agent(std::uint32_t robot, const Discovery& gone) {
+  auto& successor = robot_successors_[robot - 1];
+  if (successor && successor->who == gone.participant) successor.reset();
+  if (robot_owners_[robot - 1] != gone.participant) return false;
+  spdlog::warn("robot lost robot={} pid={} host={}", robot, gone.identity.pid, gone.identity.host);
+  robot_owners_[robot - 1].reset();
+  const bool members_changed = barrier_.lose(robot, std::chrono::steady_clock::now());
+  commands_[robot - 1].reset();
+  if (const auto next = std::exchange(successor, std::nullopt)) {
+    robot_owners_[robot - 1] = next->who;
+    take_command(robot, next->sample);
+  }
+  return members_changed;
+}
+
+void WorldShell::forget_radio(const Discovery& gone) {
+  if (radio_successor_ && radio_successor_->who == gone.participant) radio_successor_.reset();
+  if (radio_owner_ != gone.participant) return;
+  spdlog::warn("radio lost pid={} host={}: the robots drive on alone", gone.identity.pid, gone.identity.host);
+  radio_owner_.reset();
+  barrier_.lose_radio();
+  radio_due_.assign(radio_due_.size(), false);
+  if (const auto next = std::exchange(radio_successor_, std::nullopt)) {
+    radio_owner_ = next->who;
+    take_radio_step(next->sample);
+  }
 }
 
 void WorldShell::progress() {

@@ -51,6 +51,8 @@ class WorldShell {
   // What arrives.
   void on_command(std::uint32_t robot, const caravan_interfaces::msg::RobotCommand& sample,
                   const runtime::ParticipantId& sender);
+  void take_command(std::uint32_t robot, const caravan_interfaces::msg::RobotCommand& sample);
+  void take_radio_step(const caravan_interfaces::msg::RadioStep& sample);
   void on_radio_step(const caravan_interfaces::msg::RadioStep& sample, const runtime::ParticipantId& sender);
   void on_credit(const caravan_interfaces::msg::RunCredit& sample, const runtime::ParticipantId& sender);
   void on_control(const caravan_interfaces::msg::ControlRequest& request);
@@ -61,6 +63,9 @@ class WorldShell {
   void read_mailbox();
   void meet(const runtime::Discovery& writer);
   void forget(const runtime::Discovery& gone);
+  /// @return true when a member left the step
+  bool forget_agent(std::uint32_t robot, const runtime::Discovery& gone);
+  void forget_radio(const runtime::Discovery& gone);
   void progress();
   void reach_boundary();
   [[nodiscard]] std::string spawn(const Spawn& spawn);
@@ -103,6 +108,15 @@ class WorldShell {
   std::vector<std::uint32_t> reporting_;  // robots that have reported in the open step
   std::vector<std::optional<runtime::ParticipantId>> robot_owners_;
   std::optional<runtime::ParticipantId> radio_owner_;
+  /// The newest sample of a participant that does not count as long as the one before it is not gone. Whoever
+  /// sent it may be waiting for what follows from it, and would not say it again.
+  template <typename Sample>
+  struct Successor {
+    runtime::ParticipantId who;
+    Sample sample;
+  };
+  std::vector<std::optional<Successor<caravan_interfaces::msg::RobotCommand>>> robot_successors_;
+  std::optional<Successor<caravan_interfaces::msg::RadioStep>> radio_successor_;
   std::vector<std::vector<runtime::ParticipantId>> agents_;  // that live, by robot: the first one found first
   std::vector<bool> radio_due_;
   std::uint64_t radio_chain_;
