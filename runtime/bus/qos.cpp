@@ -5,7 +5,6 @@
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -82,7 +81,7 @@ void look_for_peers_on_loopback(rtps::BuiltinAttributes& builtin) {
 }
 
 std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(const BusConfig& config) {
-  if (config.transport == Transport::kSharedMemory) return shared_memory(config.lease_s);
+  if (config.transport == Transport::kSharedMemory) return shared_memory();
   return config.around_udp ? config.around_udp : loopback_udp();
 }
 
@@ -92,14 +91,12 @@ eprosima::fastrtps::Duration_t milliseconds(std::uint32_t count) {
 
 }  // namespace
 
-std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory(double lease_s) {
+std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory() {
   const auto transport = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
-  // A reader of a port that does nothing for so long is taken for dead and its port is made anew. Not before
-  // it is gone by its lease: what is in the port of a process that is only suspended would be lost for good.
-  // But soon after: all read announcements from one port, in which a killed process leaves a gap that fills
-  // up; then nobody finds anybody any more.
-  const double patience_s = std::max(10.0, 2.0 * lease_s);
-  transport->healthy_check_timeout_ms(static_cast<std::uint32_t>(patience_s * 1000.0));
+  // With the default samples are lost for good: when a process is stopped for 2 s, and also, with many
+  // processes, because two of them check a port at the same moment and the second finds nothing new. With any
+  // time this happens; it is long so that it is rare.
+  transport->healthy_check_timeout_ms(600'000);
   return transport;
 }
 
