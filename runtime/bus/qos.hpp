@@ -15,9 +15,7 @@
 namespace caravan::runtime {
 
 /// The transport of a run on one machine: nothing leaves it.
-/// @param lease_s  of its participants
-[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory(
-    double lease_s);
+[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory();
 /// UDP over 127.0.0.1 alone. Peers are found by unicast; no multicast is sent.
 [[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> loopback_udp();
 [[nodiscard]] eprosima::fastdds::dds::DomainParticipantQos participant_qos(const std::string& name,
