@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "robot_agent/core/communication.hpp"
+#include "robot_agent/core/sensing/surfaces.hpp"
 #include "robot_agent/core/task/carrier.hpp"
 #include "robot_agent/core/task/explorer.hpp"
 
@@ -51,6 +52,7 @@ struct Agent::Impl {
   Communication communication;
   Driver driver;
   Neighbours neighbours;
+  Surfaces surfaces;
   pure::Random random;
   std::variant<Explorer, Carrier> task;
   Origin origin = Origin::kNone;
@@ -78,6 +80,8 @@ std::optional<Perception> Agent::Impl::perceive(const Inputs& inputs, bool robot
   if (config.robots_are_solid) robots = neighbours.now(inputs.now);
   Perception seen = agent::perceive(inputs.now, inputs.sensors, near, std::move(robots), config);
   if (seen.around.is_blind()) return std::nullopt;
+  surfaces.see(seen);
+  seen.surfaces = surfaces.near(seen.p_WB);
   return seen;
 }
 
@@ -100,7 +104,10 @@ Outputs Agent::Impl::step(const Inputs& inputs) {
     motion = driver.stand(Activity::kIdle, inputs.now);
   } else {
     motion = decide(*seen, notes);
-    if (motion.obstruction == Obstruction::kTouch) notes.add("touched");
+    if (motion.obstruction == Obstruction::kTouch) {
+      notes.add("touched");
+      if (motion.drove_forward) surfaces.touch_ahead(*seen, config);
+    }
   }
 
   Outputs outputs;

@@ -53,4 +53,13 @@ double distance_m(const Body& body, const Point& p_W, const Config& config) {
   return std::sqrt(Outline{body, config}.squared_distance(p_W));
 }
 
+double signed_distance_m(const Body& body, const Point& p_W, const Config& config) {
+  const Outline outline{body, config};
+  const Point from = p_W - outline.centre;
+  const double dx = std::abs(from.dot(outline.along)) - outline.half_length;
+  const double dy = std::abs(from.dot(outline.across())) - outline.half_width;
+  if (dx <= 0.0 && dy <= 0.0) return std::max(dx, dy);
+  return std::hypot(std::max(0.0, dx), std::max(0.0, dy));
+}
+
 }  // namespace caravan::agent

@@ -17,5 +17,7 @@ struct Body {
 
 /// Distance of a point from the body's outline; 0 inside.
 [[nodiscard]] double distance_m(const Body& body, const Point& p_W, const Config& config);
+/// The same; inside the outline how deep, negative.
+[[nodiscard]] double signed_distance_m(const Body& body, const Point& p_W, const Config& config);
 
 }  // namespace caravan::agent

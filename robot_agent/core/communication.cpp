@@ -2,16 +2,30 @@
 #include "robot_agent/core/communication.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 
+#include "robot_agent/core/angle.hpp"
 #include "robot_agent/core/exchange/transfer.hpp"
 #include "robot_agent/core/frames/codec.hpp"
 #include "robot_agent/core/pairing/eligibility.hpp"
 #include "robot_agent/core/pairing/pairing.hpp"
 #include "robot_agent/core/pairing/timers.hpp"
+#include "robot_agent/core/sensing/neighbours.hpp"
 #include "runtime/pure/assert.hpp"
 #include "runtime/pure/overload.hpp"
 
 namespace caravan::agent {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Where others must take this robot to be may be wrong by so much, before it tells them anew,
+constexpr double kStrays_m = 0.1;
+constexpr double kStrays_rad = 0.3;
+constexpr Time kAgainAfter = 100ms;  // but not sooner
+
+}  // namespace
 
 struct Communication::Impl {
   Config config;
@@ -20,6 +34,8 @@ struct Communication::Impl {
   std::optional<Transfer> transfer;  // while InSession
   Contacts contacts;
   Time next_wait{0};
+  std::optional<Whereabouts> told;  // in the last WAIT
+  Time told_at{0};
   std::optional<Time> robot_heard;  // when last
   Channel listened;                 // the channel that the present step's frames were heard on
   std::vector<Refuse> refusals;     // of the present step
@@ -57,6 +73,8 @@ struct Communication::Impl {
   void send_wait(const AirInputs& inputs, AirOutputs& outputs);
   void send_for_state(Send send, const AirInputs& inputs, AirOutputs& outputs);
   void send_rejections(Time now, AirOutputs& outputs);
+  /// Not where it should be by what it told, with somebody near who goes by that.
+  [[nodiscard]] bool strays(const AirInputs& inputs) const;
   [[nodiscard]] Channel tuned() const;
   [[nodiscard]] bool is_robot_near(Time now) const;
 };
@@ -147,12 +165,23 @@ void Communication::Impl::conclude(const Outcome& outcome, AirOutputs& outputs) 
   if (!path.empty()) outputs.received = std::move(path);
 }
 
+bool Communication::Impl::strays(const AirInputs& inputs) const {
+  if (!told || !inputs.whereabouts || !is_robot_near(inputs.now)) return false;
+  if (inputs.now - told_at < kAgainAfter) return false;
+  const Neighbour believed = carried_on(config.id, *told, inputs.now - told_at);
+  const Neighbour is = carried_on(config.id, *inputs.whereabouts, Time{0});
+  return (believed.p_WB - is.p_WB).norm() > kStrays_m ||
+         std::abs(wrapped(believed.yaw_WB_rad - is.yaw_WB_rad)) > kStrays_rad;
+}
+
 void Communication::Impl::send_wait(const AirInputs& inputs, AirOutputs& outputs) {
-  if (inputs.now < next_wait) return;
+  if (inputs.now < next_wait && !strays(inputs)) return;
   next_wait = inputs.now + config.wait_period;
   const Presence presence = presence_in(state, inputs.now);
   const Wait wait{config.id, mode(inputs), presence.engagement, presence.partner, inputs.whereabouts};
   outputs.frames.push_back({kCommonChannel, encode(wait)});
+  told = inputs.whereabouts;
+  told_at = inputs.now;
 }
 
 void Communication::Impl::send_for_state(Send send, const AirInputs& inputs, AirOutputs& outputs) {

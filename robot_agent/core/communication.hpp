@@ -17,7 +17,7 @@ struct AirInputs {
   std::span<const Frame> heard;
   /// The path to give: driven sections only. Empty: this robot has none (mode EXPLORE).
   const Path& own_path;
-  /// Where this robot is; told in WAIT.
+  /// Where this robot is and how it moves; told in WAIT.
   std::optional<Whereabouts> whereabouts{};
 };
 

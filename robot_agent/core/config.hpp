@@ -59,7 +59,7 @@ struct Config {
   bool stop_to_exchange = true;  ///< false: drives on while it negotiates and exchanges
   std::chrono::nanoseconds sharing_starts = std::chrono::minutes{15};
   std::chrono::nanoseconds recontact_after = std::chrono::minutes{10};
-  std::chrono::nanoseconds wait_period{0};  ///< between WAIT frames; 0: every step
+  std::chrono::nanoseconds wait_period{0};  ///< longest time between WAITs; 0: every step
   std::chrono::nanoseconds accept_period = std::chrono::seconds{1};
   std::uint32_t accept_attempts = 8;
   std::chrono::nanoseconds session_timer = std::chrono::seconds{10};

@@ -28,7 +28,7 @@ using AvoidanceRule = Manoeuvre (*)(const Encounter&);
 /// little, resumes. Nothing free: backs off and turns away.
 [[nodiscard]] Manoeuvre go_round(const Encounter& encounter);
 
-/// For a robot that drives and does not move: it touches something that its sonars do not see. Backs off,
+/// For a robot that does not come away: it touches something that its sonars do not see, or would. Backs off,
 /// turns to the freer side, the other one at every second attempt and further each time, goes forward a
 /// little.
 [[nodiscard]] Manoeuvre free_itself(const Encounter& encounter);

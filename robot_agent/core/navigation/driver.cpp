@@ -48,11 +48,15 @@ int Driver::attempts_at(const Perception& seen) {
 
 Motion Driver::drive_to(const Point& goal_W, const Perception& seen, pure::Random& random) {
   Motion motion = approach(goal_W, seen, random);
-  const Wheels allowed = keep_clear(motion.wheels, movement_, seen, config_);
+  const auto [allowed, surface_near] = keep_clear(motion.wheels, movement_, seen, config_);
   if (is_held(motion.wheels, allowed, seen.now)) {
     held_since_.reset();
     if (auto* manoeuvring = std::get_if<Manoeuvring>(&state_)) {
       manoeuvring->performance.skip();
+    } else if (surface_near) {
+      // The task may know something better.
+      free(goal_W, seen, random);
+      motion.obstruction = Obstruction::kObstacle;
     } else {
       motion.obstruction = Obstruction::kRobot;
       meet({}, goal_W, seen, random);
@@ -89,11 +93,16 @@ void Driver::meet(const std::optional<Meeting>& meeting, const Point& goal_W, co
   state_ = Manoeuvring{Performance{when_meeting_(encounter)}};
 }
 
+void Driver::free(const Point& goal_W, const Perception& seen, pure::Random& random) {
+  state_ = Manoeuvring{
+      Performance{free_itself({seen, config_, seen.bearing_to(goal_W), random.unit(), attempts_at(seen)})}};
+}
+
 Motion Driver::approach(const Point& goal_W, const Perception& seen, pure::Random& random) {
   if (monitor_.update(seen, last_wheels_, config_)) {
-    state_ = Manoeuvring{
-        Performance{free_itself({seen, config_, seen.bearing_to(goal_W), random.unit(), attempts_at(seen)})}};
-    return {{}, Activity::kAvoiding, Obstruction::kTouch};
+    const bool drove_forward = last_wheels_.left_mps > 0.0 && last_wheels_.right_mps > 0.0;
+    free(goal_W, seen, random);
+    return {{}, Activity::kAvoiding, Obstruction::kTouch, drove_forward};
   }
   if (auto* manoeuvring = std::get_if<Manoeuvring>(&state_)) {
     if (const auto wheels = manoeuvring->performance.step(seen, config_)) {

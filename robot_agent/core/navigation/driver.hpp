@@ -23,6 +23,7 @@ struct Motion {
   Wheels wheels;
   Activity activity = Activity::kDriving;
   Obstruction obstruction = Obstruction::kNone;
+  bool drove_forward = false;  ///< with kTouch: what it touches is in front of it
 };
 
 /// Brings the robot to a goal past what is in the way.
@@ -32,6 +33,9 @@ struct Motion {
 ///   ------------+----------+--------------------+-----------------------+----------------------+---------------
 ///   Steering    | steer    | Manoeuvring (rule) | stand, tell kObstacle | Manoeuvring (free)   | -
 ///   Manoeuvring | continue | continue           | continue              | Manoeuvring (free)   | Steering
+///
+/// Below it lies keep_clear(). Steering and kept by it for long is: a robot ahead, when robots are the
+/// reason; Manoeuvring (free) and kObstacle, when a surface is.
 class Driver {
  public:
   Driver(const Config& config, AvoidanceRule when_meeting);
@@ -59,6 +63,7 @@ class Driver {
   [[nodiscard]] Motion approach(const Point& goal_W, const Perception& seen, pure::Random& random);
   void meet(const std::optional<Meeting>& meeting, const Point& goal_W, const Perception& seen,
             pure::Random& random);
+  void free(const Point& goal_W, const Perception& seen, pure::Random& random);
   void tell(const Wheels& wheels, Time now);
   [[nodiscard]] bool is_held(const Wheels& wanted, const Wheels& allowed, Time now);
   [[nodiscard]] int attempts_at(const Perception& seen);

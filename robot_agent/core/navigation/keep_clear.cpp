@@ -21,6 +21,8 @@ constexpr double kRoom_m = 0.2;      // to an echo, where another movement than 
 constexpr double kNothing_m = 1e-3;
 constexpr double kMayLose = 0.7;  // of the space between two bodies when it is too little already
 constexpr double kBodiesMatter = 3.0;
+constexpr double kFromSurfaces_m = 0.04;
+constexpr double kInside_m = 0.05;  // a surface deeper inside the body than this cannot be there
 
 using Course = std::array<Body, kMoments>;
 
@@ -53,7 +55,7 @@ Spacing spacing(const Body& one, const Body& other, double swept_m, const Config
   return {axles, apart > config.keep_clear_m ? apart : distance_m(one, other, config)};
 }
 
-/// The robots that matter, and where they will be.
+/// The robots that matter, where they will be, and the surfaces near by.
 class Scene {
  public:
   Scene(const Perception& seen, const Movement& now, const Config& config)
@@ -73,11 +75,16 @@ class Scene {
                            spaced.bodies_m < keeps ? kMayLose * spaced.bodies_m : keeps};
       others_.push_back({wanted, course_of(body, moves, moves)});
     }
+    for (const Point& at : seen.surfaces) {
+      const double apart = signed_distance_m(self_, at, config_);
+      if (apart <= -kInside_m) continue;
+      surfaces_.push_back({at, std::min(kFromSurfaces_m, apart > 0.0 ? kMayLose * apart : apart)});
+    }
   }
 
-  [[nodiscard]] bool is_empty() const { return others_.empty(); }
+  [[nodiscard]] bool is_empty() const { return others_.empty() && surfaces_.empty(); }
 
-  /// How much too near the movement comes to a robot, at worst; 0: it is safe.
+  /// How much too near the movement comes to anything, at worst; 0: it is safe.
   [[nodiscard]] double lack_m(const Movement& movement) const {
     double most = 0.0;
     const Course course = course_of(self_, now_, movement);
@@ -88,10 +95,17 @@ class Scene {
                          kBodiesMatter * (other.wanted.bodies_m - there.bodies_m)});
       }
     }
-    return most;
+    return std::max(most, too_near_to_surfaces_m(course));
+  }
+  [[nodiscard]] bool comes_near_a_surface(const Movement& movement) const {
+    return too_near_to_surfaces_m(course_of(self_, now_, movement)) > kNothing_m;
   }
 
  private:
+  struct Surface {
+    Point at;
+    double wanted_m;
+  };
   struct Other {
     Spacing wanted;
     Course course;
@@ -101,6 +115,20 @@ class Scene {
   const Config& config_;
   double swept_m_;
   std::vector<Other> others_;
+  std::vector<Surface> surfaces_;
+
+  [[nodiscard]] double too_near_to_surfaces_m(const Course& course) const {
+    double most = 0.0;
+    for (const Body& body : course) {
+      for (const Surface& surface : surfaces_) {
+        const double reach = swept_m_ + surface.wanted_m;
+        if ((surface.at - body.p_WB).squaredNorm() > reach * reach) continue;
+        const double lack = surface.wanted_m - signed_distance_m(body, surface.at, config_);
+        most = std::max(most, kBodiesMatter * lack);
+      }
+    }
+    return most;
+  }
 };
 
 struct Candidate {
@@ -133,31 +161,32 @@ std::vector<Candidate> alternatives(const Movement& wanted, const Config& config
 
 bool has_room(const Movement& movement, const Perception& seen, const Config& config) {
   if (movement.speed_mps > 0.0) {
-    return free_ahead_m(seen.still, config, std::clamp(0.3 * movement.turn_radps, -0.5, 0.5)) > kRoom_m;
+    return free_alongside_m(seen.still, config, std::clamp(0.3 * movement.turn_radps, -0.5, 0.5)) > kRoom_m;
   }
   return movement.speed_mps == 0.0 || free_behind_m(seen.still, config) > kRoom_m;
 }
 
 }  // namespace
 
-Wheels keep_clear(const Wheels& wanted, const Movement& now, const Perception& seen, const Config& config) {
+Allowed keep_clear(const Wheels& wanted, const Movement& now, const Perception& seen, const Config& config) {
   const Scene scene{seen, now, config};
-  if (scene.is_empty()) return wanted;
+  if (scene.is_empty()) return {wanted};
   const Movement movement = movement_of(wanted, config);
   double least = scene.lack_m(movement);
-  if (least <= kNothing_m) return wanted;
+  if (least <= kNothing_m) return {wanted};
+  const bool surface = scene.comes_near_a_surface(movement);
   Movement best{};
   least = scene.lack_m(best);
   for (const Candidate& candidate : alternatives(movement, config)) {
     if (!has_room(candidate.movement, seen, config)) continue;
     const double lack = scene.lack_m(candidate.movement);
     if (lack <= kNothing_m)
-      return wheels_for(candidate.movement.speed_mps, candidate.movement.turn_radps, config);
+      return {wheels_for(candidate.movement.speed_mps, candidate.movement.turn_radps, config), surface};
     if (lack >= least) continue;
     least = lack;
     best = candidate.movement;
   }
-  return wheels_for(best.speed_mps, best.turn_radps, config);
+  return {wheels_for(best.speed_mps, best.turn_radps, config), surface};
 }
 
 }  // namespace caravan::agent

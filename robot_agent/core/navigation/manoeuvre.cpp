@@ -57,7 +57,7 @@ std::optional<Wheels> Performance::perform(const Go& leg, const Perception& seen
     if (free_behind_m(seen.around, config) < kTooNearBehind_m) return std::nullopt;
     return wheels_for(-kBackwards_mps, 0.0, config);
   }
-  const double ahead = free_ahead_m(seen.around, config);
+  const double ahead = free_alongside_m(seen.around, config);
   if (ahead < kTooNearAhead_m) return std::nullopt;
   return wheels_for(std::max(config.slow_mps, std::min(0.6 * config.cruise_mps, speed_for(ahead, config))),
                     0.0, config);
@@ -66,7 +66,7 @@ std::optional<Wheels> Performance::perform(const Go& leg, const Perception& seen
 std::optional<Wheels> Performance::perform(const Veer& leg, const Perception& seen,
                                            const Config& config) const {
   if (seen.distance_to(leg_began_at_) >= leg.distance_m) return std::nullopt;
-  if (free_ahead_m(seen.still, config) < kTooNearAhead_m) return std::nullopt;
+  if (free_alongside_m(seen.still, config) < kTooNearAhead_m) return std::nullopt;
   return steer_to(wrapped(leg.yaw_WB_rad - seen.yaw_WB_rad), leg.speed_mps, config);
 }
 

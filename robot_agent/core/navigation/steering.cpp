@@ -14,16 +14,18 @@ constexpr double kTurnsInPlace_rad = 0.8;  // bearings beyond it
 constexpr double kLean_rad = 0.5;
 constexpr double kWantedBeside_m = 0.3;  // free space on either side that a driving robot tries to keep
 constexpr double kBesideBody_m = 0.04;   // on either side of the body
+constexpr double kReaches_m = 0.01;      // what reaches less beyond the body's end is beside it
 
 double turn_rate(double bearing_rad) {
   return std::clamp(kTurnGain * bearing_rad, -kMostTurn_radps, kMostTurn_radps);
 }
 
-Corridor beside_the_body(const Config& config, double bearing_rad) {
+Corridor beside_the_body(const Config& config, double bearing_rad, double beyond_m) {
   return {.bearing_rad = bearing_rad,
           .half_width_m = 0.5 * config.body_width_m + kBesideBody_m,
           .surface_m = 0.0,
-          .surface_per_metre = std::tan(0.5 * config.sonar_aperture_rad)};
+          .surface_per_metre = std::tan(0.5 * config.sonar_aperture_rad),
+          .beyond_m = beyond_m};
 }
 
 }  // namespace
@@ -49,12 +51,18 @@ Wheels steer_to(double bearing_rad, double speed_mps, const Config& config) {
 }
 
 double free_ahead_m(const Surroundings& around, const Config& config, double bearing_rad) {
-  return std::max(0.0, around.clearance_m(beside_the_body(config, bearing_rad)) - config.body_ahead_m);
+  return std::max(0.0, around.clearance_m(beside_the_body(config, bearing_rad, 0.0)) - config.body_ahead_m);
+}
+
+double free_alongside_m(const Surroundings& around, const Config& config, double bearing_rad) {
+  const double ahead = config.body_ahead_m;
+  return std::max(0.0, around.clearance_m(beside_the_body(config, bearing_rad, ahead - kReaches_m)) - ahead);
 }
 
 double free_behind_m(const Surroundings& around, const Config& config) {
   const double behind = config.body_length_m - config.body_ahead_m;
-  return std::max(0.0, around.clearance_m(beside_the_body(config, std::numbers::pi)) - behind);
+  return std::max(
+      0.0, around.clearance_m(beside_the_body(config, std::numbers::pi, behind - kReaches_m)) - behind);
 }
 
 double lean_rad(const Perception& seen, const Config& config) {

@@ -18,6 +18,9 @@ namespace caravan::agent {
 
 /// Free distance ahead of the body, metres; 0 when something touches it.
 [[nodiscard]] double free_ahead_m(const Surroundings& around, const Config& config, double bearing_rad = 0.0);
+/// The same, but surfaces beside the body do not count: a robot close beside a wall can drive along it.
+[[nodiscard]] double free_alongside_m(const Surroundings& around, const Config& config,
+                                      double bearing_rad = 0.0);
 /// The same behind the body.
 [[nodiscard]] double free_behind_m(const Surroundings& around, const Config& config);
 

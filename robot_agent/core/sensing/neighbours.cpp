@@ -31,18 +31,21 @@ Neighbour moved_on(Neighbour neighbour, Time span) {
 
 }  // namespace
 
+Neighbour carried_on(RobotId robot, const Whereabouts& told, Time after) {
+  return moved_on({robot,
+                   {0.001 * told.at.x_mm, 0.001 * told.at.y_mm},
+                   0.001 * told.yaw_mrad,
+                   0.001 * told.speed_mmps,
+                   0.001 * told.turn_mradps},
+                  after);
+}
+
 Neighbours::Neighbours(const Config& config)
     : remembers_{std::max(kRemembers, config.wait_period + config.wait_period / 5)} {}
 
 void Neighbours::hear(const Wait& wait, Time sent) {
   if (!wait.whereabouts) return;
-  const Whereabouts& place = *wait.whereabouts;
-  const Told told{{wait.from,
-                   {0.001 * place.at.x_mm, 0.001 * place.at.y_mm},
-                   0.001 * place.yaw_mrad,
-                   0.001 * place.speed_mmps,
-                   0.001 * place.turn_mradps},
-                  sent};
+  const Told told{carried_on(wait.from, *wait.whereabouts, Time{0}), sent};
   const auto found =
       std::ranges::lower_bound(told_, wait.from, {}, [](const Told& t) { return t.neighbour.id; });
   if (found != told_.end() && found->neighbour.id == wait.from) {

@@ -15,6 +15,9 @@ struct Neighbour {
   double turn_radps = 0.0;  ///< counter-clockwise positive
 };
 
+/// Where a robot is and how it moves, so long after it told so in a WAIT, if it moves on as it told.
+[[nodiscard]] Neighbour carried_on(RobotId robot, const Whereabouts& told, Time after);
+
 /// Remembers the whereabouts told in WAITs and carries them on to the present.
 class Neighbours {
  public:

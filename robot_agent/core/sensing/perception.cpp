@@ -26,7 +26,8 @@ Perception perceive(Time now, const Sensors& sensors, bool robot_near, std::vect
     });
   });
   return {now,        sensors.p_WB, sensors.yaw_WB_rad, sensors.holding,
-          robot_near, around,       std::move(robots),  still};
+          robot_near, around,       std::move(robots),  still,
+          {}};
 }
 
 }  // namespace caravan::agent

@@ -18,6 +18,7 @@ struct Perception {
   Surroundings around;
   std::vector<Neighbour> robots;  ///< that told where they are, by id
   Surroundings still;             ///< `around` without the echoes of `robots`
+  std::vector<Point> surfaces{};  ///< in W, near by: where something that is no robot was seen of late
 
   /// Where a point of W lies as seen by the robot: 0 ahead, positive to the left.
   [[nodiscard]] double bearing_to(const Point& p_W) const {

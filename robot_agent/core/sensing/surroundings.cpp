@@ -53,9 +53,10 @@ const std::array<Axis, kSonarCount>& axes() {
   return all;
 }
 
-/// Smallest distance along the strip's line at which the segment from `a` to `b` lies inside the strip.
+/// Smallest distance along the strip's line at which the segment from `a` to `b` lies inside the strip, if it
+/// reaches beyond `beyond_m`.
 /// Coordinates are (along the line, across it).
-double enters_strip_m(const Point& a, const Point& b, double half_width_m) {
+double enters_strip_m(const Point& a, const Point& b, double half_width_m, double beyond_m) {
   double first = 0.0;
   double last = 1.0;
   const double across = b.y() - a.y();
@@ -70,7 +71,7 @@ double enters_strip_m(const Point& a, const Point& b, double half_width_m) {
   }
   const double from = a.x() + first * (b.x() - a.x());
   const double to = a.x() + last * (b.x() - a.x());
-  if (std::max(from, to) <= 0.0) return kInfinity;  // beside or behind
+  if (std::max(from, to) <= beyond_m) return kInfinity;
   return std::max(0.0, std::min(from, to));
 }
 
@@ -84,7 +85,7 @@ Surroundings::Surroundings(const Sensors& sensors, const Config& config)
     if (i < 8 && !std::isnan(range)) blind_ = false;
     if (!(range >= 0.0 && range < config.sonar_range_m)) continue;
     const Axis& axis = axes()[i];
-    echoes_[count_++] = {axis.p_B + range * axis.along, {-axis.along.y(), axis.along.x()}, range};
+    echoes_[count_++] = {axis.p_B + range * axis.along, {-axis.along.y(), axis.along.x()}, range, i};
   }
 }
 
@@ -96,9 +97,9 @@ double Surroundings::clearance_m(const Corridor& corridor) const {
     const Point reach = (corridor.surface_m + corridor.surface_per_metre * echo.range_m) * echo.across_B;
     const Point left = echo.p_B + reach;
     const Point right = echo.p_B - reach;
-    nearest =
-        std::min(nearest, enters_strip_m({along.dot(left), cross(along, left)},
-                                         {along.dot(right), cross(along, right)}, corridor.half_width_m));
+    nearest = std::min(nearest, enters_strip_m({along.dot(left), cross(along, left)},
+                                               {along.dot(right), cross(along, right)}, corridor.half_width_m,
+                                               corridor.beyond_m));
   }
   return nearest;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "robot_agent/core/config.hpp"
 #include "robot_agent/core/types.hpp"
@@ -16,6 +17,15 @@ struct Corridor {
   /// sonar says how far, not where in its cone, and a wall goes on beside the spot that reflects.
   double surface_m = 0.0;
   double surface_per_metre = 0.2;  ///< the same, growing with the range
+  double beyond_m = 0.0;           ///< what ends nearer, along the bearing, does not count
+};
+
+/// One sonar's echo.
+struct Echo {
+  Point p_B{0.0, 0.0};       ///< on the sonar's axis
+  Point across_B{0.0, 0.0};  ///< unit vector across the axis
+  double range_m = 0.0;
+  std::size_t sonar = 0;  ///< which one's
 };
 
 /// What the sonars say about free space around the robot.
@@ -38,6 +48,8 @@ class Surroundings {
     return rest;
   }
 
+  /// By sonar.
+  [[nodiscard]] std::span<const Echo> echoes() const { return {echoes_.data(), count_}; }
   /// Distance from the base along the corridor's line to the first surface inside the corridor; +inf: none.
   [[nodiscard]] double clearance_m(const Corridor& corridor) const;
   /// True when the bearing lies in the gapless fan of the six front sonars.
@@ -46,11 +58,6 @@ class Surroundings {
   [[nodiscard]] bool is_blind() const { return blind_; }
 
  private:
-  struct Echo {
-    Point p_B;       // on the sonar's axis
-    Point across_B;  // unit vector across the axis
-    double range_m;
-  };
   std::array<Echo, kSonarCount> echoes_;
   std::size_t count_ = 0;
   bool blind_ = true;

@@ -27,6 +27,17 @@ Perception among(std::vector<Neighbour> robots, std::span<const Wall> walls = {}
 
 Neighbour standing(const Point& at, double yaw_rad) { return {RobotId{7}, at, yaw_rad, 0.0, 0.0}; }
 
+Wheels kept(const Wheels& wanted, const Movement& now, const Perception& seen, const Config& config) {
+  return keep_clear(wanted, now, seen, config).wheels;
+}
+
+/// A robot at the origin, heading along x, beside a wall that was seen at these distances on the left.
+Perception beside_a_wall(double left_m) {
+  Perception seen = test::look({}, {0, 0}, 0.0);
+  for (double x = -0.8; x < 0.8; x += 0.05) seen.surfaces.emplace_back(x, left_m);
+  return seen;
+}
+
 TEST(BodyDistance, IsThatBetweenTheRectangles) {
   const Config config;
   const Body here{{0, 0}, 0.0};  // from -0.285 to 0.2 along, 0.1905 to both sides
@@ -35,38 +46,39 @@ TEST(BodyDistance, IsThatBetweenTheRectangles) {
   EXPECT_NEAR(distance_m(here, Body{{1.0, 0.0}, 0.5 * kPi}, config), 0.6095, 1e-9) << "front to side";
   EXPECT_EQ(distance_m(here, Body{{0.3, 0.1}, 0.7}, config), 0.0) << "overlapping";
   EXPECT_NEAR(distance_m(here, Point{0.5, 0.5905}, config), 0.5, 1e-9);
+  EXPECT_NEAR(signed_distance_m(here, Point{0.5, 0.5905}, config), 0.5, 1e-9);
+  EXPECT_NEAR(signed_distance_m(here, Point{0.0, 0.1705}, config), -0.02, 1e-9) << "inside";
 }
 
 TEST(KeepClear, ChangesNothingWithNobodyNear) {
-  EXPECT_EQ(keep_clear(kCruise, {}, among({}), {}), kCruise);
-  EXPECT_EQ(keep_clear(kCruise, {}, among({standing({1.9, 0}, 0.0)}), {}), kCruise);
+  EXPECT_EQ(kept(kCruise, {}, among({}), {}), kCruise);
+  EXPECT_EQ(kept(kCruise, {}, among({standing({1.9, 0}, 0.0)}), {}), kCruise);
 }
 
 TEST(KeepClear, DoesNotDriveOnTowardsARobotThatIsTooNear) {
   const Config config;
   for (const double distance_m : {0.42, 0.5, 0.6}) {
-    const Wheels allowed = keep_clear(kCruise, {}, among({standing({distance_m, 0}, 0.5 * kPi)}), config);
+    const Wheels allowed = kept(kCruise, {}, among({standing({distance_m, 0}, 0.5 * kPi)}), config);
     EXPECT_LE(0.5 * (allowed.left_mps + allowed.right_mps), 1e-9) << distance_m;
   }
 }
 
 TEST(KeepClear, DoesNotTurnOnTheSpotIntoARobotBeside) {
   const Neighbour beside = standing({0.0, -0.45}, 0.0);
-  const Wheels allowed = keep_clear(kTurnsLeft, {}, among({beside}), {});
+  const Wheels allowed = kept(kTurnsLeft, {}, among({beside}), {});
   EXPECT_NE(allowed, kTurnsLeft) << "the rear corner on the right would hit it";
-  EXPECT_EQ(keep_clear(kTurnsLeft, {}, among({standing({0.0, -0.7}, 0.0)}), {}), kTurnsLeft)
-      << "room to turn";
+  EXPECT_EQ(kept(kTurnsLeft, {}, among({standing({0.0, -0.7}, 0.0)}), {}), kTurnsLeft) << "room to turn";
 }
 
 TEST(KeepClear, LeavesARobotThatTouchesIt) {
   const Wheels backwards{-0.29, -0.29};
-  EXPECT_EQ(keep_clear(backwards, {}, among({standing({0.41, 0.0}, kPi)}), {}), backwards);
+  EXPECT_EQ(kept(backwards, {}, among({standing({0.41, 0.0}, kPi)}), {}), backwards);
 }
 
 TEST(KeepClear, FollowsARobotThatDrivesAhead) {
   Neighbour ahead = standing({0.9, 0.0}, 0.0);
   ahead.speed_mps = 0.6;
-  const Wheels allowed = keep_clear({0.6, 0.6}, {0.6, 0.0}, among({ahead}), {});
+  const Wheels allowed = kept({0.6, 0.6}, {0.6, 0.0}, among({ahead}), {});
   EXPECT_EQ(allowed, (Wheels{0.6, 0.6}));
 }
 
@@ -74,8 +86,41 @@ TEST(KeepClear, DoesNotEscapeIntoAWall) {
   const std::vector<Wall> walls = {{{-0.45, -1.0}, {-0.45, 1.0}}};
   Neighbour comes = standing({0.75, 0.0}, kPi);
   comes.speed_mps = 0.6;
-  const Wheels allowed = keep_clear(kCruise, {}, among({comes}, walls), {});
+  const Wheels allowed = kept(kCruise, {}, among({comes}, walls), {});
   EXPECT_GE(allowed.left_mps + allowed.right_mps, 0.0);
+}
+
+TEST(KeepClear, DoesNotTurnOnTheSpotNextToAWallSeenAMomentAgo) {
+  const Wheels turns_right{0.4, -0.4};
+  const Config config;
+  const Allowed near = keep_clear(turns_right, {}, beside_a_wall(0.26), config);
+  EXPECT_NE(near.wheels, turns_right) << "the rear corner on the left would hit it";
+  EXPECT_TRUE(near.surface_near);
+  const Allowed room = keep_clear(turns_right, {}, beside_a_wall(0.4), config);
+  EXPECT_EQ(room.wheels, turns_right);
+  EXPECT_FALSE(room.surface_near);
+}
+
+TEST(KeepClear, DrivesOnAndAwayFromAWallThatItIsTooNearTo) {
+  const Wheels allowed = kept(kCruise, {0.975, 0.0}, beside_a_wall(0.21), {});
+  EXPECT_GT(0.5 * (allowed.left_mps + allowed.right_mps), 0.5);
+  EXPECT_GE(allowed.left_mps, allowed.right_mps) << "not towards the wall";
+}
+
+TEST(KeepClear, DoesNotDriveIntoACornerThatItRemembers) {
+  Perception seen = test::look({}, {0, 0}, 0.0);
+  seen.surfaces.emplace_back(0.45, 0.1);
+  const Wheels allowed = kept(kCruise, {0.975, 0.0}, seen, {});
+  EXPECT_LT(0.5 * (allowed.left_mps + allowed.right_mps), 0.6);
+  seen.surfaces = {{0.45, 0.3}};
+  EXPECT_EQ(kept(kCruise, {0.975, 0.0}, seen, {}), kCruise) << "it passes beside it";
+}
+
+TEST(KeepClear, BacksOffFromWhatItTouches) {
+  Perception seen = test::look({}, {0, 0}, 0.0);
+  seen.surfaces.emplace_back(0.19, 0.1);
+  const Wheels backwards{-0.29, -0.29};
+  EXPECT_EQ(kept(backwards, {}, seen, {}), backwards);
 }
 
 TEST(Meeting, BothFindTheSameSideToPassOn) {

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
 #include <map>
 
 #include "robot_agent/core/frames/codec.hpp"
@@ -127,6 +128,40 @@ TEST_F(CommunicationTest, WaitGoesOutOncePerWaitPeriod) {  // P-1
     waits += static_cast<int>(three.out.frames.size());
   }
   EXPECT_EQ(waits, 10);
+}
+
+/// Robot 3, told to be where `place` says at each step, hears a WAIT of robot 7 in each when it is `near`.
+int waits_of_a_robot(Config config, bool near, const std::function<Whereabouts(int)>& place) {
+  config.id = RobotId{3};
+  Communication communication{config};
+  const Path none;
+  int waits = 0;
+  for (int step = 0; step < 312; ++step) {
+    std::vector<Frame> heard;
+    if (near) heard.push_back({kCommonChannel, encode(Wait{RobotId{7}, Mode::kExplore, {}, {}})});
+    const AirOutputs out = communication.step(
+        {.now = step * kStep, .heard = heard, .own_path = none, .whereabouts = place(step)});
+    waits += static_cast<int>(out.frames.size());
+  }
+  return waits;
+}
+
+TEST_F(CommunicationTest, ARobotThatDoesNotMoveAsItToldTellsAnewWhenAnotherIsNear) {  // P-14
+  config.wait_period = 1s;
+  // 1 m/s to and fro: it turns back every two seconds, half way between two WAITs.
+  const auto to_and_fro = [](int step) {
+    const int phase = (step + 16) % 126;
+    const int x_mm = 32 * (phase < 63 ? phase : 126 - phase);
+    return Whereabouts{{x_mm, 0}, 0, static_cast<std::int16_t>(phase < 63 ? 1000 : -1000), 0};
+  };
+  const auto straight_on = [](int step) { return Whereabouts{{32 * step, 0}, 0, 1000, 0}; };
+  const auto turns_unsaid = [](int step) {
+    return Whereabouts{{0, 0}, static_cast<std::int16_t>(20 * (step % 157)), 0, 0};
+  };
+  EXPECT_EQ(waits_of_a_robot(config, true, straight_on), 10) << "it is where it said that it would be";
+  EXPECT_GE(waits_of_a_robot(config, true, to_and_fro), 11) << "it is not, after each turn";
+  EXPECT_GE(waits_of_a_robot(config, true, turns_unsaid), 18) << "0.3 rad take 16 steps";
+  EXPECT_EQ(waits_of_a_robot(config, false, to_and_fro), 10) << "there is nobody to tell";
 }
 
 TEST_F(CommunicationTest, StandsStillAndIsTunedAwayOnlyWhileTheExchangeLasts) {  // P-5

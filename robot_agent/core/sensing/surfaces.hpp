@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <vector>
+
+#include "robot_agent/core/sensing/perception.hpp"
+
+namespace caravan::agent {
+
+/// Remembers where something that is no robot stood near by.
+///
+/// Corners and oblique walls return no echo, but the walls that meet in a corner did so a moment before the
+/// robot came beside it, and a wall that a sonar has followed goes on for a little. So what is known of a
+/// place is more than what the sonars say at this moment. It is a belief of seconds, not a map.
+class Surfaces {
+ public:
+  /// Takes in what the sonars see now. What lies where a robot has told to be is forgotten: it was that
+  /// robot.
+  void see(const Perception& seen);
+  /// The robot drove forward and did not come forward: something unseen is in front of it.
+  void touch_ahead(const Perception& seen, const Config& config);
+  /// Places in W within reach of a body that drives and brakes.
+  [[nodiscard]] std::vector<Point> near(const Point& p_WB) const;
+
+ private:
+  struct Place {
+    Point at{0.0, 0.0};
+    Time seen{-std::chrono::hours{1}};
+  };
+  void forget(const Perception& seen);
+  void remember(const Point& at, Time now);
+  void follow(std::size_t sonar, const Point& across_W, const Point& at, Time now);
+  std::vector<Place> places_;
+  std::vector<Point> goes_on_;                 // where walls that sonars follow now should go on
+  std::array<Place, kSonarCount> followed_{};  // an echo of each sonar some centimetres ago
+};
+
+}  // namespace caravan::agent
