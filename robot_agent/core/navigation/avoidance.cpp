@@ -64,10 +64,12 @@ Manoeuvre turn_slightly_left(const Encounter& encounter) {
   if (encounter.meeting) return veer(encounter);
   const double forward = 0.5 + 0.4 * encounter.draw;
   // Further, where another robot is known to stand so close that slightly does not lead past it.
-  for (double left = 0.5 + 0.3 * encounter.draw; left < kMostLeft_rad; left += 0.4) {
+  double left = 0.5 + 0.3 * encounter.draw;
+  while (left < kMostLeft_rad) {
     if (clearance_among_robots_m(encounter, left) >= kRoom_m)
       return {turned_by(encounter, left), Go{forward}};
     if (encounter.seen.robots.empty()) break;
+    left += 0.4;
   }
   return let_pass(encounter);
 }

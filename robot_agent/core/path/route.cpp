@@ -2,7 +2,6 @@
 #include "robot_agent/core/path/route.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 #include "robot_agent/core/path/following.hpp"
 #include "robot_agent/core/path/recording.hpp"
@@ -54,9 +53,9 @@ double Route::off_path_m(const Point& p_WB) const {
 double Route::remaining_m(const Point& p_WB) const {
   double sum = to_end_m_[next_];
   Point from = p_WB;
-  for (const Point& point : std::ranges::reverse_view(back_)) {
-    sum += (point - from).norm();
-    from = point;
+  for (std::size_t i = back_.size(); i-- > 0;) {
+    sum += (back_[i] - from).norm();
+    from = back_[i];
   }
   return sum + (plan_[next_] - from).norm();
 }
