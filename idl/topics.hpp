@@ -10,7 +10,14 @@
 /// read.
 namespace caravan::idl {
 
-enum class Party : std::uint8_t { kWorld, kRadio, kAgent, kObserver };
+enum class Party : std::uint8_t {
+  kWorld,
+  kRadio,
+  kAgent,
+  kObserver,
+  kBridge,        ///< in place of world or radio: between an agent and a real robot or a real radio
+  kEmulatedRobot  ///< what a bridge is connected to, where there is no real robot
+};
 
 /// How a topic's samples travel. All but kLatest are RELIABLE, all but kLatest and kRequest TRANSIENT_LOCAL.
 enum class Delivery : std::uint8_t {
@@ -35,22 +42,22 @@ inline constexpr std::uint32_t kMaxStepsAhead = 256;
 inline constexpr Topic kSensors{"rt/robot_<i>/sensors",
                                 "caravan_interfaces::msg::dds_::SensorFrame_",
                                 Delivery::kStep,
-                                {Party::kWorld, Party::kWorld},
+                                {Party::kWorld, Party::kBridge},
                                 {Party::kAgent, Party::kAgent}};
 inline constexpr Topic kCommand{"rt/robot_<i>/command",
                                 "caravan_interfaces::msg::dds_::RobotCommand_",
                                 Delivery::kStep,
                                 {Party::kAgent, Party::kAgent},
-                                {Party::kWorld, Party::kWorld}};
+                                {Party::kWorld, Party::kBridge}};
 inline constexpr Topic kRadioTransmit{"rt/robot_<i>/radio/tx",
                                       "caravan_interfaces::msg::dds_::RadioTransmit_",
                                       Delivery::kStep,
                                       {Party::kAgent, Party::kAgent},
-                                      {Party::kRadio, Party::kRadio}};
+                                      {Party::kRadio, Party::kBridge}};
 inline constexpr Topic kRadioReceive{"rt/robot_<i>/radio/rx",
                                      "caravan_interfaces::msg::dds_::RadioReceive_",
                                      Delivery::kStep,
-                                     {Party::kRadio, Party::kRadio},
+                                     {Party::kRadio, Party::kBridge},
                                      {Party::kAgent, Party::kAgent}};
 inline constexpr Topic kTelemetry{"rt/robot_<i>/telemetry",
                                   "caravan_interfaces::msg::dds_::Telemetry_",
@@ -98,9 +105,21 @@ inline constexpr Topic kControlReply{"rt/control/reply",
                                      {Party::kWorld, Party::kRadio},
                                      {Party::kObserver, Party::kObserver}};
 
+/// In place of sensors and command for a robot that is a body: its agent's topics are a bridge's to serve.
+inline constexpr Topic kBodySensors{"rt/body_<i>/sensors",
+                                    "caravan_interfaces::msg::dds_::SensorFrame_",
+                                    Delivery::kStep,
+                                    {Party::kWorld, Party::kWorld},
+                                    {Party::kEmulatedRobot, Party::kEmulatedRobot}};
+inline constexpr Topic kBodyCommand{"rt/body_<i>/command",
+                                    "caravan_interfaces::msg::dds_::RobotCommand_",
+                                    Delivery::kStep,
+                                    {Party::kEmulatedRobot, Party::kEmulatedRobot},
+                                    {Party::kWorld, Party::kWorld}};
+
 inline constexpr std::array kTopics{kSensors,   kCommand,        kRadioTransmit, kRadioReceive, kTelemetry,
                                     kTruth,     kRadioStep,      kClock,         kWorldStatus,  kRadioStatus,
-                                    kRunCredit, kControlRequest, kControlReply};
+                                    kRunCredit, kControlRequest, kControlReply,  kBodySensors,  kBodyCommand};
 
 /// The topic's name for one robot.
 [[nodiscard]] inline std::string name_for(const Topic& topic, std::uint32_t robot) {

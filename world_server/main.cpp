@@ -6,16 +6,19 @@ int main(int argc, char** argv) {
   using namespace caravan;
   std::vector<std::string> awaited;
   std::vector<std::string> trace_file;
+  std::vector<std::string> bodies;
   const runtime::Program program{
       .name = "world_server",
       .purpose = "The emulated world: physics, sensors, items and the step barrier",
       .texts = {
           {"--await", "Observer without which the run does not start", &awaited},
-          {"--trace", "File that receives what each step adds to the world's hash chain", &trace_file}}};
+          {"--trace", "File that receives what each step adds to the world's hash chain", &trace_file},
+          {"--bodies", "Robots behind a bridge, such as 1-3 or 2,4: served as rt/body_<i> (pacing free)",
+           &bodies}}};
   return runtime::run_process(
       program, argc, argv, [&](const runtime::Start& start, runtime::Loop& loop) -> int {
-        const world::WorldConfig config =
-            world::load_world_config(runtime::TomlDocument::load(start.scenario));
+        world::WorldConfig config = world::load_world_config(runtime::TomlDocument::load(start.scenario));
+        config.bodies = world::read_bodies(bodies, config);
         if (start.check_only) return runtime::kDone;
         const runtime::BusConfig bus{.role = "world_server",
                                      .domain = start.domain,

@@ -10,8 +10,8 @@
 namespace caravan::runtime {
 namespace {
 
-constexpr std::array<std::string_view, 7> kRootKeys = {"name",  "seed",      "world",     "robots",
-                                                       "radio", "algorithm", "experiment"};
+constexpr std::array<std::string_view, 8> kRootKeys = {"name",  "seed",      "world",      "robots",
+                                                       "radio", "algorithm", "experiment", "bridge"};
 
 std::string at_line(const std::string& file, const toml::node* node) {
   if (node == nullptr || node->source().begin.line == 0) return file;

@@ -7,11 +7,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "runtime/config/start_error.hpp"
 
@@ -48,9 +48,13 @@ Loop::~Loop() {
   }
 }
 
-Loop::Woken Loop::wait(std::optional<WallTime> deadline) {
+Loop::Woken Loop::wait(std::optional<WallTime> deadline, std::span<Watched> others) {
   if (interrupted_) return Woken::kStop;
-  std::array<pollfd, 3> watched{{{signals_, POLLIN, 0}, {stops_, POLLIN, 0}, {wakeups_, POLLIN, 0}}};
+  std::vector<pollfd> watched{{signals_, POLLIN, 0}, {stops_, POLLIN, 0}, {wakeups_, POLLIN, 0}};
+  for (const Watched& other : others) {
+    watched.push_back(
+        {other.descriptor, static_cast<short>(other.for_writing ? POLLIN | POLLOUT : POLLIN), 0});
+  }
   for (;;) {
     timespec left{};
     if (deadline) {
@@ -61,6 +65,11 @@ Loop::Woken Loop::wait(std::optional<WallTime> deadline) {
     }
     const int ready = ppoll(watched.data(), watched.size(), deadline ? &left : nullptr, nullptr);
     if (ready < 0 && errno == EINTR) continue;
+    bool any_ready = false;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      others[i].ready = watched[3 + i].revents != 0;
+      any_ready = any_ready || others[i].ready;
+    }
     if (watched[0].revents != 0) {
       interrupted_ = true;
       return Woken::kStop;
@@ -71,7 +80,7 @@ Loop::Woken Loop::wait(std::optional<WallTime> deadline) {
       (void)!read(wakeups_, &count, sizeof count);
       return Woken::kNotified;
     }
-    return Woken::kDeadline;
+    return any_ready ? Woken::kReady : Woken::kDeadline;
   }
 }
 

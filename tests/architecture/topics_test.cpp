@@ -42,6 +42,10 @@ std::string in_words(idl::Party party) {
       return "agent";
     case idl::Party::kObserver:
       return "observer";
+    case idl::Party::kBridge:
+      return "bridge";
+    case idl::Party::kEmulatedRobot:
+      return "emulated robot";
   }
   return "";
 }

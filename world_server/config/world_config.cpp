@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world_server/config/world_config.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "runtime/config/number_list.hpp"
 #include "world_server/config/checks.hpp"
 
 namespace caravan::world {
@@ -99,6 +101,22 @@ WorldConfig load_world_config(const runtime::TomlDocument& scenario) {
   check_world(world, config);
   check_robots(scenario.table("robots"), config);
   return config;
+}
+
+std::vector<std::uint32_t> read_bodies(const std::vector<std::string>& lists, const WorldConfig& config) {
+  std::vector<std::uint32_t> bodies;
+  for (const std::string& list : lists) {
+    const runtime::NumberListRule rule{"--bodies", 1, config.robots.count, config.robots.count};
+    for (const std::uint64_t robot : runtime::read_number_list(list, rule)) {
+      bodies.push_back(static_cast<std::uint32_t>(robot));
+    }
+  }
+  std::sort(bodies.begin(), bodies.end());
+  if (!bodies.empty() && config.experiment.pacing != runtime::Pacing::kFree) {
+    throw runtime::StartError{
+        "--bodies: experiment.pacing must be \"free\", robots behind a bridge do not wait"};
+  }
+  return bodies;
 }
 
 }  // namespace caravan::world

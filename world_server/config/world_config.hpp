@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "runtime/config/toml_table.hpp"
@@ -26,6 +28,11 @@ struct WorldConfig {
   runtime::RobotsTable robots;
   runtime::ExperimentTable experiment;
   std::uint64_t seed = 1;
+  /// By command line, sorted: robots whose agents a bridge serves. The world serves them under rt/body_<i>.
+  std::vector<std::uint32_t> bodies = {};
+  [[nodiscard]] bool is_body(std::uint32_t robot) const {
+    return std::binary_search(bodies.begin(), bodies.end(), robot);
+  }
 };
 
 /// Distance of the body's farthest corner from the middle of the axle.
@@ -38,5 +45,12 @@ struct WorldConfig {
 /// body whose parts do not fit. With `experiment.items = 0` nothing is to be delivered and the destination
 /// may lie anywhere.
 [[nodiscard]] WorldConfig load_world_config(const runtime::TomlDocument& scenario);
+
+/// WorldConfig::bodies from what the command line says.
+///
+/// @throws StartError for numbers that no robot has, and in another pacing than free: nobody who waits for a
+/// step can stand behind a serial line
+[[nodiscard]] std::vector<std::uint32_t> read_bodies(const std::vector<std::string>& lists,
+                                                     const WorldConfig& config);
 
 }  // namespace caravan::world

@@ -63,7 +63,8 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
              loop_.notify();
            }} {
   for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
-    sensors_.push_back(bus_.writer<msg::SensorFramePubSubType>(idl::kSensors, robot));
+    const idl::Topic& topic = config_.is_body(robot) ? idl::kBodySensors : idl::kSensors;
+    sensors_.push_back(bus_.writer<msg::SensorFramePubSubType>(topic, robot));
   }
   truths_ = bus_.writer<msg::WorldTruthPubSubType>(idl::kTruth);
   clock_ = bus_.writer<rosgraph_msgs::msg::ClockPubSubType>(idl::kClock);
@@ -74,7 +75,8 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
   // callback.
   for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
     bus_.reader<msg::RobotCommandPubSubType>(
-        idl::kCommand, robot, [this, robot](const msg::RobotCommand& sample, const ParticipantId& sender) {
+        config_.is_body(robot) ? idl::kBodyCommand : idl::kCommand, robot,
+        [this, robot](const msg::RobotCommand& sample, const ParticipantId& sender) {
           on_command(robot, sample, sender);
         });
   }

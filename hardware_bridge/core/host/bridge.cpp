@@ -182,10 +182,9 @@ void Bridge::keep_still(Time now) {
     note(Weight::kWarning,
          "no command for " + std::to_string(config_.command_timeout / 1ms) + " ms: wheels stopped");
   }
-  if (!may && (moved_ || now >= stop_due_)) {
-    link_.stop();
-    stop_due_ = now + kStopAgain;
-  }
+  if (!may && moved_) link_.brake();
+  if (!may && now >= stop_due_) link_.stop();
+  if (!may && (moved_ || now >= stop_due_)) stop_due_ = now + kStopAgain;
   moved_ = may;
 }
 

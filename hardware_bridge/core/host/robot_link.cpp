@@ -145,6 +145,12 @@ void RobotLink::send(std::span<const std::uint8_t> packet) {
   if (is_running()) output_.insert(output_.end(), packet.begin(), packet.end());
 }
 
+void RobotLink::brake() {
+  if (!is_running()) return;
+  put(Order::kEmergencyStop);
+  stop();
+}
+
 void RobotLink::stop() {
   if (!is_running()) return;
   put(Order::kStop);
@@ -152,7 +158,7 @@ void RobotLink::stop() {
 }
 
 void RobotLink::close() {
-  stop();
+  brake();
   if (!std::holds_alternative<Down>(state_)) put(Order::kClose);
 }
 

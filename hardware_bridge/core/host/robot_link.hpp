@@ -17,7 +17,7 @@ namespace caravan::bridge {
 struct LinkConfig {
   double acceleration_mps2 = 2.0;  ///< what the robot is told to take for starting and braking
   double speed_limit_mps = 1.6;
-  Time silence = std::chrono::milliseconds{500};  ///< without a SIP for so long, the robot is silent
+  Time silence = std::chrono::milliseconds{400};  ///< without a SIP for so long, the robot is silent
 };
 
 /// The host's end of an ARCOS connection, over a line that somebody else opens, reads and writes.
@@ -48,7 +48,9 @@ class RobotLink {
 
   /// To be written to the robot, while Running; ignored otherwise.
   void send(std::span<const std::uint8_t> packet);
-  /// Wheels at zero now, the connection stays.
+  /// Wheels at zero, the connection stays. Something is wrong: they brake as hard as they can.
+  void brake();
+  /// Wheels at zero, by their deceleration.
   void stop();
   /// Wheels at zero and the connection closed: the program ends.
   void close();

@@ -15,7 +15,7 @@ struct FusionConfig {
   Point antenna_B;             ///< where the GPS antenna is on the robot: x forward, y left
   double gps_trust = 0.3;      ///< share of a fix's difference that is taken at once, in (0, 1]
   double compass_trust = 0.1;  ///< the same of a compass reading
-  Time gps_timeout = std::chrono::milliseconds{500};  ///< without a fix for so long the position is not known
+  Time gps_timeout = std::chrono::milliseconds{400};  ///< without a fix for so long the position is not known
 };
 
 /// Where the robot is, from its odometry, GPS and compass.

@@ -151,11 +151,11 @@ TEST_F(Loop, SonarsAreNeverOlderThanARound) {
   }
 }
 
-TEST_F(DrivingLoop, WheelsStop600MillisecondsAfterTheLastCommandPlusTheWayToBrake) {
+TEST_F(DrivingLoop, WheelsStop600MillisecondsAfterTheLastCommand) {
   agent_speaks_ = false;
   const Time rest = rest_after(5s);
   EXPECT_GT(rest, 600ms);
-  EXPECT_LE(rest, 600ms + 250ms + 20ms) << "0.5 m/s at 2 m/s2";
+  EXPECT_LE(rest, 600ms + 20ms);
   EXPECT_THAT(told_, HasSubstr("no command for 600 ms: wheels stopped"));
   agent_speaks_ = true;
   run(1s);
@@ -166,6 +166,7 @@ TEST_F(DrivingLoop, GpsLostStopsTheWheelsWithin600Milliseconds) {
   gps_works_ = false;
   EXPECT_LE(rest_after(5s), 600ms) << "the receiver says that it has no fix";
   EXPECT_THAT(told_, HasSubstr("position lost (GPS): wheels stopped"));
+  run(200ms);
   EXPECT_TRUE(std::isnan(frames_.back().x_m)) << "the agent is told";
   gps_works_ = true;
   run(1s);
@@ -173,17 +174,17 @@ TEST_F(DrivingLoop, GpsLostStopsTheWheelsWithin600Milliseconds) {
   EXPECT_THAT(told_, HasSubstr("position known"));
 }
 
-TEST_F(DrivingLoop, AGpsThatFallsSilentIsLostAfterHalfASecond) {
+TEST_F(DrivingLoop, AGpsThatFallsSilentStopsTheWheelsWithin600Milliseconds) {
   gps_speaks_ = false;
-  EXPECT_LE(rest_after(5s), 500ms + 100ms + 250ms + 20ms) << "timeout, a fix's period, braking";
+  EXPECT_LE(rest_after(5s), 600ms);
   gps_speaks_ = true;
   run(1s);
   EXPECT_TRUE(moves_);
 }
 
-TEST_F(DrivingLoop, ARobotThatSendsNothingIsToldToStopAfterHalfASecond) {
+TEST_F(DrivingLoop, ARobotThatSendsNothingIsStoppedWithin600Milliseconds) {
   robot_silent_ = true;
-  EXPECT_LE(rest_after(5s), 100ms + 500ms + 250ms + 20ms) << "a SIP's period, silence, braking";
+  EXPECT_LE(rest_after(5s), 600ms);
   EXPECT_THAT(told_, HasSubstr("robot silent: wheels told to stop"));
   run(2s);
   robot_silent_ = false;

@@ -33,8 +33,8 @@ TEST(PoseFusion, APositionWithoutFixEndsAfterItsTime) {
   PoseFusion fusion{{}};
   fusion.read_compass(0.0);
   fusion.fix({1.0, 1.0}, 1s);
-  EXPECT_TRUE(fusion.pose(1500ms));
-  EXPECT_FALSE(fusion.pose(1501ms));
+  EXPECT_TRUE(fusion.pose(1400ms));
+  EXPECT_FALSE(fusion.pose(1401ms));
   fusion.fix({1.0, 1.0}, 2s);
   EXPECT_TRUE(fusion.pose(2s)) << "and is back with the next";
   fusion.lose_fix();

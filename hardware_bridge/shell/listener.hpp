@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "hardware_bridge/shell/descriptor.hpp"
+#include "runtime/process/loop.hpp"
+
+namespace caravan::bridge {
+
+/// A TCP port of this machine, reachable on 127.0.0.1 alone.
+class Listener {
+ public:
+  /// @param port  0: one that the kernel chooses
+  /// @throws StartError when the port cannot be had
+  explicit Listener(std::uint16_t port);
+
+  [[nodiscard]] std::uint16_t port() const { return port_; }
+  [[nodiscard]] runtime::Watched watched() const { return {descriptor_.number(), false, false}; }
+  /// The next connection that waits.
+  [[nodiscard]] std::optional<Descriptor> accept() const;
+
+ private:
+  Descriptor descriptor_;
+  std::uint16_t port_ = 0;
+};
+
+}  // namespace caravan::bridge

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hardware_bridge/shell/robot_shell.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "runtime/process/run_process.hpp"
+
+namespace caravan::bridge {
+namespace msg = caravan_interfaces::msg;
+using runtime::Watched;
+
+RobotShell::RobotShell(const RobotConfig& config, std::uint32_t robot, const Ports& ports,
+                       const runtime::BusConfig& bus, runtime::Loop& loop)
+    : config_{config},
+      loop_{loop},
+      began_{std::chrono::steady_clock::now()},
+      robot_port_{ports.robot},
+      gps_port_{ports.gps},
+      robot_{config},
+      gps_{config.arena},
+      bus_{bus} {
+  commands_ = bus_.writer<msg::RobotCommandPubSubType>(idl::kBodyCommand, robot);
+  bus_.reader<msg::SensorFramePubSubType>(
+      idl::kBodySensors, robot,
+      [this](const msg::SensorFrame& frame, const runtime::ParticipantId& /*sender*/) { on_body(frame); });
+  spdlog::info("robot={} hosts on 127.0.0.1:{}, GPS (NMEA 0183) on 127.0.0.1:{}", robot, robot_port_.port(),
+               gps_port_.port());
+}
+
+RobotShell::~RobotShell() { bus_.close(); }
+
+void RobotShell::on_body(const msg::SensorFrame& frame) {
+  const std::lock_guard lock{mutex_};
+  if (frame.session() < session_) return;
+  if (frame.session() > session_) {
+    spdlog::info("switched on: session={}", frame.session());
+    session_ = frame.session();
+    robot_ = Microcontroller{config_};
+    rebooted_ = true;
+    loop_.notify();
+  }
+  robot_.sense({.sonar_range_m = frame.sonar_range_m(),
+                .yaw_WB_rad = frame.compass_yaw_rad(),
+                .left_wheel_rad = frame.left_wheel_rad(),
+                .right_wheel_rad = frame.right_wheel_rad(),
+                .holding = frame.holding()},
+               now());
+  gps_.sense({frame.gps_x_m(), frame.gps_y_m()}, now());
+  answer(frame);
+}
+
+void RobotShell::answer(const msg::SensorFrame& frame) {
+  const BodyDrive drive = robot_.drive(now());
+  msg::RobotCommand command;
+  command.stamp(frame.stamp());
+  command.session(frame.session());
+  command.left_mps(drive.left_mps);
+  command.right_mps(drive.right_mps);
+  command.gripper_closed(drive.gripper_closed);
+  if (!commands_.write(command) && refused_writes_++ == 0)
+    spdlog::error("DDS refused a sample: the body stops");
+}
+
+int RobotShell::run() {
+  for (;;) {
+    std::array<Watched, 4> watched{robot_port_.watched(), gps_port_.watched(), host_.watched(),
+                                   gps_client_.watched()};
+    if (loop_.wait(next_deadline(), watched) == runtime::Loop::Woken::kStop) return runtime::kDone;
+    attend_robot(watched[0].ready, watched[2].ready);
+    attend_gps(watched[1].ready, watched[3].ready);
+  }
+}
+
+std::optional<runtime::WallTime> RobotShell::next_deadline() const {
+  const std::lock_guard lock{mutex_};
+  std::optional<Time> due;
+  if (robot_.is_open()) due = robot_.next_deadline();
+  if (gps_client_.is_open()) due = std::min(due.value_or(Time::max()), gps_.next_deadline());
+  if (!due) return std::nullopt;
+  return began_ + *due;
+}
+
+void RobotShell::attend_robot(bool host_waits, bool ready) {
+  const std::lock_guard lock{mutex_};
+  if (std::exchange(rebooted_, false) && host_.is_open()) {
+    spdlog::info("the host's connection ends");
+    host_.close();
+  }
+  if (host_waits) {
+    auto another = robot_port_.accept();
+    // One host at a time; none while the robot has no body, as if it were switched off.
+    if (another && !host_.is_open() && session_ != 0) {
+      host_.adopt(std::move(*another));
+      robot_.connected(now());
+      spdlog::info("a host has connected");
+    }
+  }
+  if (ready && host_.is_open()) {
+    const Bytes bytes = host_.attend();
+    robot_.receive(bytes, now());
+    if (!host_.is_open()) {
+      robot_.disconnected();
+      spdlog::info("the host has gone: {}", host_.failure());
+    }
+  }
+  robot_.tick(now());
+  const Bytes output = robot_.take_output();
+  if (host_.is_open()) host_.write(output);
+}
+
+void RobotShell::attend_gps(bool client_waits, bool ready) {
+  if (client_waits) {
+    if (auto another = gps_port_.accept()) gps_client_.adopt(std::move(*another));
+  }
+  if (ready) (void)gps_client_.attend();
+  const std::lock_guard lock{mutex_};
+  const std::string lines = gps_.take_lines(now());
+  if (session_ != 0 && gps_client_.is_open()) gps_client_.write({lines.begin(), lines.end()});
+}
+
+}  // namespace caravan::bridge

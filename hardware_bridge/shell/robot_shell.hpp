@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mutex>
+
+#include "hardware_bridge/core/robot/gps_receiver.hpp"
+#include "hardware_bridge/core/robot/microcontroller.hpp"
+#include "hardware_bridge/shell/line.hpp"
+#include "hardware_bridge/shell/listener.hpp"
+#include "robotPubSubTypes.h"
+#include "runtime/bus/bus.hpp"
+#include "runtime/process/loop.hpp"
+
+namespace caravan::bridge {
+
+/// An emulated Pioneer between a body of the world and a host on TCP.
+///
+/// The body's frames arrive on the bus's receiving thread and are answered there; the main thread keeps the
+/// two ports and the robot's clock. The robot is switched on with the first frame, and again with that of
+/// another session: a host sees its connection end.
+class RobotShell {
+ public:
+  struct Ports {
+    std::uint16_t robot = 0;  ///< 0: one that the kernel chooses
+    std::uint16_t gps = 0;
+  };
+  RobotShell(const RobotConfig& config, std::uint32_t robot, const Ports& ports,
+             const runtime::BusConfig& bus, runtime::Loop& loop);
+  ~RobotShell();
+  RobotShell(const RobotShell&) = delete;
+  RobotShell& operator=(const RobotShell&) = delete;
+
+  /// Until the loop is told to stop. @return the exit code
+  int run();
+
+ private:
+  using Wall = runtime::WallTime;
+
+  void on_body(const caravan_interfaces::msg::SensorFrame& frame);
+  void answer(const caravan_interfaces::msg::SensorFrame& frame);
+  [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
+  [[nodiscard]] std::optional<Wall> next_deadline() const;
+  void attend_robot(bool host_waits, bool ready);
+  void attend_gps(bool client_waits, bool ready);
+
+  const RobotConfig config_;
+  runtime::Loop& loop_;
+  const Wall began_;
+  Listener robot_port_;
+  Listener gps_port_;
+  Line host_;
+  Line gps_client_;
+
+  mutable std::mutex mutex_;
+  Microcontroller robot_;
+  GpsReceiver gps_;
+  std::uint64_t session_ = 0;
+  bool rebooted_ = false;  // since the main thread looked
+  std::uint64_t refused_writes_ = 0;
+
+  runtime::Bus bus_;  // after the state, so that no callback outlives it
+  runtime::Writer<caravan_interfaces::msg::RobotCommandPubSubType> commands_;
+};
+
+}  // namespace caravan::bridge

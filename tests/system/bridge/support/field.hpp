@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "deploy/launcher/domain_lock.hpp"
+#include "deploy/launcher/shared_memory.hpp"
+#include "tests/system/support/bus_player.hpp"
+
+namespace caravan::test {
+
+/// Scenario: `robots` robots in an empty room of 8 x 8 m, free pacing, source and destination 3.5 m apart.
+[[nodiscard]] std::string room(std::uint32_t robots, std::uint32_t items);
+
+/// A program that is told to end when its owner does, so that it leaves nothing behind.
+class Program : public Process {
+ public:
+  using Process::Process;
+  ~Program();
+};
+
+/// A domain of the test's own, with a world whose robots stand behind bridges.
+class Field : public ::testing::Test {
+ protected:
+  /// Started as a user starts them; each ends with its owner.
+  [[nodiscard]] std::unique_ptr<Program> start(const std::string& program,
+                                               std::vector<std::string> options) const;
+  /// @param bodies  as for --bodies
+  [[nodiscard]] std::unique_ptr<Program> start_world(const std::string& scenario_text,
+                                                     const std::string& bodies);
+  /// An emulated Pioneer, and where it listens.
+  struct Robot {
+    std::unique_ptr<Program> process;
+    std::uint16_t port = 0;
+    std::uint16_t gps_port = 0;
+  };
+  /// @param again  where it listened before it was killed
+  [[nodiscard]] Robot start_robot(std::uint32_t number, const Robot* again = nullptr) const;
+
+  /// At once, as by kill -9; what it leaves in shared memory goes with the test.
+  void kill_at_once(Process& process);
+
+  [[nodiscard]] std::filesystem::path scenario_file() const { return folder_ / "field.toml"; }
+  [[nodiscard]] runtime::BusConfig bus() const {
+    return {.role = "test", .domain = lock_.domain(), .lease_s = 1.0};
+  }
+
+  deploy::DomainLock lock_{std::nullopt};
+  ScratchFolder folder_;
+
+ private:
+  deploy::SharedMemory leftovers_{lock_.domain()};
+  mutable int started_ = 0;
+};
+
+/// Where robot `robot` truly is, newest first.
+class Truth {
+ public:
+  explicit Truth(const runtime::BusConfig& bus) : truths_{bus, idl::kTruth} {}
+  /// Waits for the first. @return false when none comes
+  [[nodiscard]] bool is_there() const {
+    return truths_.first([](const caravan_interfaces::msg::WorldTruth&) { return true; }).has_value();
+  }
+  /// Simulated time of the newest.
+  [[nodiscard]] std::chrono::nanoseconds now() const;
+  /// Simulated time from `since` until the robot had come to rest.
+  [[nodiscard]] std::chrono::nanoseconds rest_after(std::uint32_t robot,
+                                                    std::chrono::nanoseconds since) const;
+  [[nodiscard]] bool drives(std::uint32_t robot) const {
+    return eventually([&] { return moved_m(robot, std::chrono::seconds{1}).value_or(0.0) > 0.05; },
+                      kPatience);
+  }
+  [[nodiscard]] bool rests(std::uint32_t robot) const {
+    return eventually([&] { return moved_m(robot, std::chrono::seconds{1}).value_or(1.0) < 1e-3; },
+                      kPatience);
+  }
+  [[nodiscard]] std::optional<caravan_interfaces::msg::RobotTruth> of(std::uint32_t robot) const;
+  [[nodiscard]] std::uint32_t items_delivered() const;
+  /// How far the robot moved in the last `span` of simulated time; none before so much has passed.
+  [[nodiscard]] std::optional<double> moved_m(std::uint32_t robot, std::chrono::nanoseconds span) const;
+
+ private:
+  Collector<caravan_interfaces::msg::WorldTruthPubSubType> truths_;
+};
+
+}  // namespace caravan::test
