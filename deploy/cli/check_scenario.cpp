@@ -2,6 +2,7 @@
 #include "deploy/cli/check_scenario.hpp"
 
 #include "deploy/cli/overrides.hpp"
+#include "hardware_bridge/config/bridge_table.hpp"
 #include "radio_emulator/config/radio_config.hpp"
 #include "robot_agent/config/agent_config.hpp"
 #include "world_server/config/world_config.hpp"
@@ -27,6 +28,7 @@ std::string in_words(agent::Sharing sharing) {
 RunFacts check_scenario(const runtime::TomlDocument& scenario) {
   const world::WorldConfig world_config = world::load_world_config(scenario);
   (void)radio::load_radio_config(scenario);
+  (void)bridge::read_bridge(scenario);
   const agent::Config agent_config = agent::load_config(scenario, 1);
   const world::World trial{world_config};
   const std::chrono::duration<double> max_time{world_config.experiment.max_time_s};

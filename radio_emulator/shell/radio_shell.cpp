@@ -16,26 +16,27 @@ using runtime::Discovery;
 using runtime::ParticipantId;
 using namespace std::chrono_literals;
 
-RadioShell::RadioShell(const MediumConfig& config, std::uint32_t robots, const runtime::BusConfig& bus,
+RadioShell::RadioShell(const MediumConfig& config, const Fleet& fleet, const runtime::BusConfig& bus,
                        std::unique_ptr<runtime::TraceFile> trace, runtime::Loop& loop)
     : config_{config},
       trace_{std::move(trace)},
       loop_{loop},
-      robots_(robots),
-      control_{robots},
+      robots_(fleet.robots),
+      control_{fleet.robots},
       bus_{bus, [this](const Discovery& news) {
              if (news.kind != Discovery::Kind::kGone) return;
              const std::lock_guard lock{mailbox_mutex_};
              lost_.push_back(news.participant);
              loop_.notify();
            }} {
+  for (const std::uint32_t body : fleet.bodies) robots_[body - 1].is_body = true;
   radio_steps_ = bus_.writer<msg::RadioStepPubSubType>(idl::kRadioStep);
   statuses_ = bus_.writer<msg::RadioStatusPubSubType>(idl::kRadioStatus);
   replies_ = bus_.writer<msg::ControlReplyPubSubType>(idl::kControlReply);
-  for (std::uint32_t robot = 1; robot <= robots; ++robot) {
+  for (std::uint32_t robot = 1; robot <= fleet.robots; ++robot) {
     receives_.push_back(bus_.writer<msg::RadioReceivePubSubType>(idl::kRadioReceive, robot));
   }
-  for (std::uint32_t robot = 1; robot <= robots; ++robot) {
+  for (std::uint32_t robot = 1; robot <= fleet.robots; ++robot) {
     robots_[robot - 1].pending.robot = robot;
     bus_.reader<msg::RadioTransmitPubSubType>(
         idl::kRadioTransmit, robot,
@@ -64,6 +65,18 @@ bool RadioShell::follow_session(std::uint64_t session) {
   chain_ = {};
   if (trace_) trace_->restart();
   for (Robot& robot : robots_) {
+    if (robot.is_body) continue;  // its bridge goes on
+    robot.sent_at.reset();
+    robot.pending.tuned = 0;
+    robot.pending.frames.clear();
+  }
+  return true;
+}
+
+bool RadioShell::follow_bridge(Robot& robot, std::uint64_t session) {
+  if (session < robot.session) return false;
+  if (session > robot.session) {
+    robot.session = session;
     robot.sent_at.reset();
     robot.pending.tuned = 0;
     robot.pending.frames.clear();
@@ -128,7 +141,9 @@ void RadioShell::read_mailbox() {
 
 void RadioShell::take_transmit(Robot& from, const msg::RadioTransmit& sample) {
   const Time stamp = idl::to_time(sample.stamp());
-  if (!follow_session(sample.session()) || (from.sent_at && stamp <= *from.sent_at)) {
+  const bool current =
+      from.is_body ? follow_bridge(from, sample.session()) : follow_session(sample.session());
+  if (!current || (from.sent_at && stamp <= *from.sent_at)) {
     ++stale_samples_;
     return;
   }
@@ -146,6 +161,7 @@ std::vector<std::uint32_t> RadioShell::awaited() const {
   const Time stamp = idl::to_time(open_->stamp());
   for (const std::uint32_t member : open_->members()) {
     if (member < 1 || member > robots_.size()) continue;
+    if (robots_[member - 1].is_body) continue;
     const auto& sent_at = robots_[member - 1].sent_at;
     if (!sent_at || *sent_at < stamp) ids.push_back(member);
   }
@@ -199,9 +215,10 @@ void RadioShell::evaluate() {
 void RadioShell::publish_receptions(const std::vector<Reception>& receptions,
                                     const builtin_interfaces::msg::Time& stamp) {
   for (const Reception& reception : receptions) {
+    const Robot& robot = robots_[reception.robot - 1];
     msg::RadioReceive sample;
-    sample.stamp(stamp);
-    sample.session(session_);
+    sample.stamp(robot.is_body ? idl::to_wire(robot.sent_at.value_or(Time{0})) : stamp);
+    sample.session(robot.is_body ? robot.session : session_);
     for (const Frame& frame : reception.frames) {
       msg::ReceivedFrame received;
       received.channel(frame.channel);

@@ -20,15 +20,24 @@
 
 namespace caravan::radio {
 
+struct Fleet {
+  std::uint32_t robots = 0;                ///< numbered from 1
+  std::vector<std::uint32_t> bodies = {};  ///< sorted; those behind a bridge
+};
+
 /// The medium on the bus: with the truth of a step and what its members transmit, computes who receives what.
 ///
 /// Runs on the bus's receiving thread; the main thread publishes the status. The world alone decides who is a
 /// member: this shell waits for exactly the robots that the truth names, and evaluates an unfinished step
 /// with what it has when the next truth comes (free pacing, or a world that stopped waiting).
+///
+/// A robot behind a bridge lives in the bridge's session and time: it is never waited for, what it has sent
+/// goes into the step that is evaluated next, and what it hears has the stamp of the frame that it answered
+/// last.
 class RadioShell {
  public:
   /// @param trace  receives what each step adds to the radio's hash chain; null: nobody does
-  RadioShell(const MediumConfig& config, std::uint32_t robots, const runtime::BusConfig& bus,
+  RadioShell(const MediumConfig& config, const Fleet& fleet, const runtime::BusConfig& bus,
              std::unique_ptr<runtime::TraceFile> trace, runtime::Loop& loop);
   ~RadioShell();
   RadioShell(const RadioShell&) = delete;
@@ -49,6 +58,8 @@ class RadioShell {
     std::optional<runtime::ParticipantId> owner;
     std::optional<Successor> successor;
     std::optional<Time> sent_at;  // stamp of the newest transmission
+    bool is_body = false;         // behind a bridge
+    std::uint64_t session = 0;    // of a body's bridge
     Transmission pending;         // not evaluated yet; its tuned channel holds on
   };
 
@@ -62,6 +73,8 @@ class RadioShell {
   void reply(const std::vector<pure::Outcome>& outcomes);
   /// False: a sample of a session that is over. A newer session starts everything anew.
   [[nodiscard]] bool follow_session(std::uint64_t session);
+  /// The same of a body's own session.
+  [[nodiscard]] static bool follow_bridge(Robot& robot, std::uint64_t session);
   [[nodiscard]] std::vector<std::uint32_t> awaited() const;
   void evaluate_if_complete();
   void evaluate();

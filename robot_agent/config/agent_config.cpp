@@ -48,6 +48,7 @@ void read_driving(runtime::TomlTable& table, Config& config) {
   table.read("meeting_m", config.meeting_m, kPositive);
   table.read("keep_clear_m", config.keep_clear_m, kNotNegative);
   table.read("arrival_radius_m", config.arrival_radius_m, kPositive);
+  read_time(table, "gripper_patience_s", config.gripper_patience, 0.001);
 }
 
 void read_path(runtime::TomlTable& table, Config& config) {

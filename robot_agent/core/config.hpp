@@ -42,8 +42,10 @@ struct Config {
   double too_close_m = 0.5;   ///< nearer than this: avoid
   double meeting_m = 1.2;     ///< an echo ahead nearer than this while a WAIT is heard: another robot
   double arrival_radius_m = 1.0;
-  bool wait_tells_place = true;  ///< WAIT says where its sender is and how it moves
-  double keep_clear_m = 0.05;    ///< between two robots' bodies; it needs to be told where they are
+  std::chrono::nanoseconds gripper_patience =
+      std::chrono::milliseconds{300};  ///< for the gripper to hold, or not to, once it was told
+  bool wait_tells_place = true;        ///< WAIT says where its sender is and how it moves
+  double keep_clear_m = 0.05;          ///< between two robots' bodies; it needs to be told where they are
 
   // Path record and smoothing (Algorithm 4).
   double point_spacing_m = 1.0;

@@ -50,7 +50,8 @@ ALLOWED = {
     "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, GTEST, "deploy/control", "deploy/launcher"],
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/bus/transport.hpp", "deploy",
-                   "robot_agent/config", "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium"],
+                   "robot_agent/config", "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium",
+                   "hardware_bridge/config"],
 }
 SHELLS = ("robot_agent/shell", "world_server/shell", "radio_emulator/shell", "hardware_bridge/shell")
 

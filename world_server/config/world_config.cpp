@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world_server/config/world_config.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "runtime/config/number_list.hpp"
+#include "runtime/scenario/bodies.hpp"
 #include "world_server/config/checks.hpp"
 
 namespace caravan::world {
@@ -104,14 +103,7 @@ WorldConfig load_world_config(const runtime::TomlDocument& scenario) {
 }
 
 std::vector<std::uint32_t> read_bodies(const std::vector<std::string>& lists, const WorldConfig& config) {
-  std::vector<std::uint32_t> bodies;
-  for (const std::string& list : lists) {
-    const runtime::NumberListRule rule{"--bodies", 1, config.robots.count, config.robots.count};
-    for (const std::uint64_t robot : runtime::read_number_list(list, rule)) {
-      bodies.push_back(static_cast<std::uint32_t>(robot));
-    }
-  }
-  std::sort(bodies.begin(), bodies.end());
+  std::vector<std::uint32_t> bodies = runtime::read_bodies(lists, config.robots.count);
   if (!bodies.empty() && config.experiment.pacing != runtime::Pacing::kFree) {
     throw runtime::StartError{
         "--bodies: experiment.pacing must be \"free\", robots behind a bridge do not wait"};

@@ -32,6 +32,7 @@ constexpr double kReached_m = 0.3;
 Carrier::Carrier(const Config& config, Path path, const Point& p_WB)
     : config_{config},
       route_{std::move(path), false, p_WB},
+      gripper_{config.gripper_patience},
       last_smoothed_at_{p_WB},
       best_remaining_m_{std::numeric_limits<double>::infinity()},
       last_wander_{-kWanderAgain} {}

@@ -4,20 +4,13 @@
 #include "runtime/pure/overload.hpp"
 
 namespace caravan::agent {
-namespace {
-
-using namespace std::chrono_literals;
-constexpr Time kPatience = 300ms;
-
-}  // namespace
-
 void Gripper::arrive_at_source(Time now) {
-  if (std::holds_alternative<Empty>(state_)) state_ = Closing{now + kPatience};
+  if (std::holds_alternative<Empty>(state_)) state_ = Closing{now + patience_};
 }
 
 void Gripper::arrive_at_destination(Time now) {
   if (std::holds_alternative<Carrying>(state_)) {
-    state_ = Opening{now + kPatience};
+    state_ = Opening{now + patience_};
   } else if (std::holds_alternative<Closing>(state_)) {
     state_ = Empty{};
   }

@@ -20,6 +20,9 @@ class Gripper {
  public:
   enum class Change : std::uint8_t { kNone, kPickedUp, kNothingThere, kDelivered, kNotDelivered };
 
+  /// @param patience  for `holding` to follow what it was told
+  explicit Gripper(Time patience = std::chrono::milliseconds{300}) : patience_{patience} {}
+
   void arrive_at_source(Time now);
   void arrive_at_destination(Time now);
   /// What became of it, from the sensors of this step.
@@ -35,6 +38,7 @@ class Gripper {
   struct Opening {
     Time give_up;
   };
+  Time patience_;
   std::variant<Empty, Closing, Carrying, Opening> state_;
 };
 

@@ -19,11 +19,12 @@ std::uint16_t number_after(const std::string& text, const std::string& mark) {
 std::string room(std::uint32_t robots, std::uint32_t items) {
   return "name = \"field\"\n[robots]\ncount = " + std::to_string(robots) +
          "\nsource_m = [-1.5, -1.5]\ndestination_m = [1.2, 1.2]\n"
-         "[algorithm]\ncruise_mps = 0.5\nslow_mps = 0.25\nsharing_starts_s = 5.0\nrecontact_after_s = 600.0\n"
+         "[algorithm]\ncruise_mps = 0.5\nslow_mps = 0.25\nsharing_starts_s = 5.0\nrecontact_after_s = "
+         "600.0\ngripper_patience_s = 3.0\n"
          "[experiment]\nitems = " +
          std::to_string(items) +
          "\nmax_time_s = 900.0\npacing = \"free\"\n"
-         "[world]\narena_m = [8.0, 8.0]\nstart_low_m = [-2.6, -2.6]\nstart_high_m = [-0.6, -0.6]\n"
+         "[world]\narena_m = [8.0, 8.0]\nstart_low_m = [-2.3, -2.3]\nstart_high_m = [-0.7, -0.7]\n"
          "[bridge]\norigin_latitude_deg = 48.137\norigin_longitude_deg = 11.575\nx_axis_rad = "
          "0.3\nwatchdog_s = 0.4\n";
 }
