@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/system/bridge/support/field.hpp"
+
+namespace caravan::test {
+
+/// Something that serves rt/robot_1/sensors and obeys rt/robot_1/command.
+struct Provider {
+  std::string name;
+  /// Starts it on the field; everything ends with what is returned.
+  std::vector<std::unique_ptr<Program>> (*start)(class ContractField& field) = nullptr;
+};
+
+void PrintTo(const Provider& provider, std::ostream* out);
+
+/// A room with one robot near the source, and the truth beside it.
+class ContractField : public Field, public ::testing::WithParamInterface<Provider> {
+ public:
+  using Field::start;
+  using Field::start_robot;
+  using Field::start_world;
+
+ protected:
+  void SetUp() override;
+  std::vector<std::unique_ptr<Program>> programs_;
+  Truth truth_{bus()};
+};
+
+/// All that this project has; yours is one more.
+[[nodiscard]] std::vector<Provider> providers();
+
+}  // namespace caravan::test
