@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hardware_bridge/shell/modem_shell.hpp"
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "runtime/process/run_process.hpp"
+#include "runtime/pure/random.hpp"
+
+namespace caravan::bridge {
+namespace msg = caravan_interfaces::msg;
+using runtime::Discovery;
+using runtime::ParticipantId;
+using runtime::Watched;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr Time kRetry = 500ms;
+
+/// Another one in each process, so that a modem knows its own echo.
+std::uint32_t own_number(std::uint32_t robot) {
+  return static_cast<std::uint32_t>(pure::mix_all(robot, static_cast<std::uint64_t>(getpid())));
+}
+
+}  // namespace
+
+ModemShell::ModemShell(const modem::RadioLimits& limits, std::uint32_t robot, const ModemAddress& address,
+                       const runtime::BusConfig& bus, runtime::Loop& loop)
+    : address_{address},
+      loop_{loop},
+      began_{std::chrono::steady_clock::now()},
+      own_{own_number(robot)},
+      radio_{limits},
+      bus_{bus, [this](const Discovery& news) {
+             if (news.kind == Discovery::Kind::kGone) post({news.participant, std::nullopt});
+           }} {
+  if (!address.serial) air_.emplace(address.udp_port);
+  receives_ = bus_.writer<msg::RadioReceivePubSubType>(idl::kRadioReceive, robot);
+  bus_.reader<msg::RadioTransmitPubSubType>(
+      idl::kRadioTransmit, robot, [this](const msg::RadioTransmit& sample, const ParticipantId& sender) {
+        post({sender, sample});
+      });
+  spdlog::info("robot={} modem ready: mtu={} channels={}", robot, limits.mtu_bytes, limits.channel_count);
+}
+
+ModemShell::~ModemShell() { bus_.close(); }
+
+void ModemShell::post(Mail mail) {
+  const std::lock_guard lock{mailbox_mutex_};
+  mailbox_.push_back(std::move(mail));
+  loop_.notify();
+}
+
+void ModemShell::read_mailbox() {
+  std::vector<Mail> news;
+  {
+    const std::lock_guard lock{mailbox_mutex_};
+    news.swap(mailbox_);
+  }
+  for (const Mail& mail : news) {
+    if (!mail.sample) {
+      if (agent_ == mail.from) agent_.reset();
+      continue;
+    }
+    if (!agent_) agent_ = mail.from;
+    if (agent_ == mail.from && mail.sample->session() >= session_) take(*mail.sample);
+  }
+}
+
+void ModemShell::take(const msg::RadioTransmit& sample) {
+  session_ = sample.session();
+  stamp_ = sample.stamp();
+  for (const msg::RadioFrame& frame : sample.frames()) radio_.send({frame.channel(), frame.bytes()}, now());
+  radio_.tune(sample.tuned_channel(), now());
+  tell_drops();
+}
+
+void ModemShell::tell_drops() {
+  const std::uint64_t drops = radio_.over_mtu() + radio_.bad_channel() + radio_.queue_full();
+  if (drops == 0 || drops < 2 * told_drops_) return;
+  told_drops_ = drops;
+  spdlog::warn(
+      "frames refused: {} over the MTU, {} on channels that there are not, {} without room in the queue",
+      radio_.over_mtu(), radio_.bad_channel(), radio_.queue_full());
+}
+
+void ModemShell::keep_line_open() {
+  if (!address_.serial || line_.is_open() || now() < retry_) return;
+  retry_ = now() + kRetry;
+  const std::string wrong = line_.open(*address_.serial, address_.baud);
+  if (wrong.empty() || wrong == said_) return;
+  said_ = wrong;
+  spdlog::warn("modem {}: {}, trying again", to_text(*address_.serial), wrong);
+}
+
+int ModemShell::run() {
+  for (;;) {
+    keep_line_open();
+    transmit();
+    std::array<Watched, 2> watched{air_ ? air_->watched() : Watched{}, line_.watched()};
+    std::optional<runtime::WallTime> deadline;
+    if (const auto due = radio_.next_deadline()) deadline = began_ + *due;
+    if (!deadline && address_.serial && !line_.is_open()) deadline = began_ + retry_;
+    if (loop_.wait(deadline, watched) == runtime::Loop::Woken::kStop) return runtime::kDone;
+    read_mailbox();
+    while (air_ && watched[0].ready) {
+      const auto datagram = air_->receive();
+      if (!datagram) break;
+      hear(*datagram);
+    }
+    if (watched[1].ready) attend_serial();
+  }
+}
+
+void ModemShell::transmit() {
+  while (auto frame = radio_.next(now())) {
+    const Bytes packet = modem::encode({own_, frame->channel, std::move(frame->bytes)});
+    if (air_) air_->send(packet);
+    if (line_.is_up()) line_.write(modem::to_slip(packet));
+  }
+}
+
+void ModemShell::attend_serial() {
+  for (const Bytes& packet : slip_.feed(line_.attend())) hear(packet);
+  if (!line_.is_open())
+    spdlog::warn("modem {}: {}, trying again", to_text(*address_.serial), line_.failure());
+}
+
+void ModemShell::hear(const Bytes& bytes) {
+  auto packet = modem::decode(bytes);
+  if (!packet || packet->from == own_ || session_ == 0 || !radio_.hears(packet->channel, now())) return;
+  msg::RadioReceive sample;
+  sample.stamp(stamp_);
+  sample.session(session_);
+  msg::ReceivedFrame frame;
+  frame.channel(packet->channel);
+  frame.bytes(std::move(packet->payload));
+  frame.signal_strength_dbm(std::numeric_limits<double>::quiet_NaN());
+  sample.frames().push_back(std::move(frame));
+  if (!receives_.write(sample)) spdlog::error("DDS refused a sample: the agent misses a frame");
+}
+
+}  // namespace caravan::bridge

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hardware_bridge/core/modem/half_duplex.hpp"
+#include "hardware_bridge/shell/line.hpp"
+#include "hardware_bridge/shell/udp_air.hpp"
+#include "robotPubSubTypes.h"
+#include "runtime/bus/bus.hpp"
+#include "runtime/process/loop.hpp"
+
+namespace caravan::bridge {
+
+/// Where the modem is: a serial port, or the air that all modems of this machine share by UDP.
+struct ModemAddress {
+  std::optional<PortAddress> serial;
+  unsigned baud = 115200;
+  std::uint16_t udp_port = 0;
+};
+
+/// A robot's radio topics served by a real radio: rt/robot_<i>/radio/tx in, rt/robot_<i>/radio/rx out.
+///
+/// What is heard is handed on at once, with session and stamp of the agent's newest transmission. The main
+/// thread owns everything; the bus's receiving thread only leaves transmissions in a mailbox.
+class ModemShell {
+ public:
+  ModemShell(const modem::RadioLimits& limits, std::uint32_t robot, const ModemAddress& address,
+             const runtime::BusConfig& bus, runtime::Loop& loop);
+  ~ModemShell();
+  ModemShell(const ModemShell&) = delete;
+  ModemShell& operator=(const ModemShell&) = delete;
+
+  /// Until the loop is told to stop. @return the exit code
+  int run();
+
+ private:
+  struct Mail {
+    runtime::ParticipantId from;
+    std::optional<caravan_interfaces::msg::RadioTransmit> sample;  ///< none: it is gone
+  };
+  [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
+  void post(Mail mail);
+  void read_mailbox();
+  void take(const caravan_interfaces::msg::RadioTransmit& sample);
+  void keep_line_open();
+  void transmit();
+  void attend_serial();
+  void hear(const Bytes& bytes);
+  void tell_drops();
+
+  const ModemAddress address_;
+  runtime::Loop& loop_;
+  const runtime::WallTime began_;
+  const std::uint32_t own_;  // this modem's number in packets
+  modem::HalfDuplex radio_;
+  std::optional<UdpAir> air_;
+  Line line_;
+  modem::SlipReader slip_;
+  Time retry_{0};
+  std::string said_;
+  std::uint64_t told_drops_ = 0;
+  std::optional<runtime::ParticipantId> agent_;
+  std::uint64_t session_ = 0;
+  builtin_interfaces::msg::Time stamp_;
+
+  std::mutex mailbox_mutex_;
+  std::vector<Mail> mailbox_;
+
+  runtime::Bus bus_;  // after the state, so that no callback outlives it
+  runtime::Writer<caravan_interfaces::msg::RadioReceivePubSubType> receives_;
+};
+
+}  // namespace caravan::bridge

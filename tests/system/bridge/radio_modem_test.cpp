@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two robots' radio topics behind modems that share an air by UDP on this machine.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <thread>
+
+#include "tests/system/bridge/support/field.hpp"
+
+namespace caravan::test {
+namespace {
+
+namespace msg = caravan_interfaces::msg;
+using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+
+/// A UDP port that nobody has now.
+std::uint16_t free_udp_port() {
+  const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof address;
+  auto* name = reinterpret_cast<sockaddr*>(&address);
+  EXPECT_EQ(bind(probe, name, size), 0);
+  EXPECT_EQ(getsockname(probe, name, &size), 0);
+  close(probe);
+  return ntohs(address.sin_port);
+}
+
+msg::RadioTransmit transmission(std::uint32_t tuned, std::uint32_t channel, std::vector<std::uint8_t> bytes) {
+  static std::int64_t sent = 0;
+  msg::RadioTransmit sample;
+  sample.stamp(idl::to_wire(++sent * 1ms));
+  sample.session(7);
+  sample.tuned_channel(tuned);
+  msg::RadioFrame frame;
+  frame.channel(channel);
+  frame.bytes(std::move(bytes));
+  sample.frames().push_back(std::move(frame));
+  return sample;
+}
+
+class RadioModemProcess : public Field {
+ protected:
+  void SetUp() override {
+    write_file(scenario_file(), room(2, 0) + "[radio]\nmtu_bytes = 32\nchannel_count = 126\n");
+    const std::string air = "udp:" + std::to_string(free_udp_port());
+    for (const std::string robot : {"1", "2"}) {
+      modems_.push_back(start("radio_modem_bridge", {"--robot", robot, "--modem", air}));
+      ASSERT_TRUE(modems_.back()->prints("modem ready: mtu=32", kPatience)) << modems_.back()->output();
+    }
+    for (const std::uint32_t robot : {1U, 2U}) {
+      transmits_.push_back(bus_.writer<msg::RadioTransmitPubSubType>(idl::kRadioTransmit, robot));
+    }
+  }
+  /// Says it again and again until robot 2 has heard such bytes. What is on the air at the wrong moment is
+  /// lost.
+  [[nodiscard]] bool robot_2_hears(const std::vector<std::uint8_t>& bytes, std::uint32_t tuned,
+                                   std::uint32_t channel, std::chrono::milliseconds patience) {
+    return eventually(
+        [&] {
+          auto there = transmission(tuned, tuned, {0});
+          transmits_[1].write(there);
+          auto said = transmission(0, channel, bytes);
+          transmits_[0].write(said);
+          std::this_thread::sleep_for(20ms);
+          for (const msg::RadioReceive& sample : heard_.samples()) {
+            for (const msg::ReceivedFrame& frame : sample.frames()) {
+              if (frame.bytes() == bytes && frame.channel() == channel) return true;
+            }
+          }
+          return false;
+        },
+        patience);
+  }
+
+  std::vector<std::unique_ptr<Program>> modems_;
+  Collector<msg::RadioReceivePubSubType> heard_{bus(), idl::kRadioReceive, 2};
+  runtime::Bus bus_{bus()};
+  std::vector<runtime::Writer<msg::RadioTransmitPubSubType>> transmits_;
+};
+
+TEST_F(RadioModemProcess, CarriesFramesOfTheTunedChannelUpToTheMtu) {
+  EXPECT_TRUE(robot_2_hears(std::vector<std::uint8_t>(32, 5), 0, 0, kPatience)) << modems_[0]->output();
+  EXPECT_TRUE(robot_2_hears({1, 2, 3}, 9, 9, kPatience)) << "after both have changed to it";
+  EXPECT_FALSE(robot_2_hears({4, 4, 4}, 9, 8, 1s)) << "another channel";
+  EXPECT_FALSE(robot_2_hears(std::vector<std::uint8_t>(33, 6), 0, 0, 1s)) << "over the MTU";
+  EXPECT_THAT(modems_[0]->output(), HasSubstr("over the MTU"));
+}
+
+}  // namespace
+}  // namespace caravan::test
