@@ -78,6 +78,17 @@ Quantity read_exit(Words& words) {
   };
 }
 
+/// Of a process that runs.
+template <typename Read>
+Quantity of_process(Words& words, Read read) {
+  return [name = process_name(words), read](const Seen& seen) -> Value {
+    const auto found = seen.processes.find(name);
+    if (found == seen.processes.end() || found->second.exit_code) return {};
+    const auto measured = read(found->second.pid);
+    return measured ? Value{static_cast<double>(*measured)} : Value{};
+  };
+}
+
 Quantity read_log(Words& words) {
   return [name = process_name(words)](const Seen& seen) -> Value {
     const auto found = seen.processes.find(name);
@@ -165,6 +176,12 @@ const std::array kRows{
         {"process NAME", "running, suspended, ended or absent; NAME: world, radio, robot N"}},
     Row{"exit", read_exit, {"exit NAME", "the exit code; 128 + n when signal n ended it"}},
     Row{"log", read_log, {"log NAME", "what it has printed"}},
+    Row{"memory",
+        [](Words& words) { return of_process(words, memory_mb); },
+        {"memory NAME", "MB that it has of its own or has touched of what it shares"}},
+    Row{"descriptors",
+        [](Words& words) { return of_process(words, descriptors); },
+        {"descriptors NAME", "files and sockets that it has open"}},
 };
 
 std::string in_words(const Value& value) {

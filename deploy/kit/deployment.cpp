@@ -228,7 +228,7 @@ Seen Deployment::seen() {
   for (auto& [name, life] : lives_) {
     const auto exit_code = life.process->wait(0ms);
     const char* state = exit_code ? "ended" : life.suspended ? "suspended" : "running";
-    seen.processes[name] = {state, exit_code, life.process->log()};
+    seen.processes[name] = {state, exit_code, life.process->log(), life.process->pid()};
     if (name == "world" && exit_code) seen.state = "absent";
   }
   return seen;

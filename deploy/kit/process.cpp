@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <thread>
 
@@ -99,6 +100,21 @@ std::chrono::milliseconds Process::cpu_time() const {
   long system = 0;
   fields >> user >> system;
   return std::chrono::milliseconds{(user + system) * 1000 / sysconf(_SC_CLK_TCK)};
+}
+
+std::optional<double> memory_mb(pid_t process) {
+  std::ifstream status{"/proc/" + std::to_string(process) + "/status"};
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024.0;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> descriptors(pid_t process) {
+  std::error_code error;
+  const std::filesystem::directory_iterator entries{"/proc/" + std::to_string(process) + "/fd", error};
+  if (error) return std::nullopt;
+  return static_cast<std::size_t>(std::distance(begin(entries), end(entries)));
 }
 
 std::string read_whole_file(const std::filesystem::path& file) {

@@ -40,6 +40,11 @@ class Process {
   std::optional<int> exit_code_;
 };
 
+/// Memory that a process has of its own or has touched of what it shares, MB. None: it has ended.
+[[nodiscard]] std::optional<double> memory_mb(pid_t process);
+/// Its open file descriptors.
+[[nodiscard]] std::optional<std::size_t> descriptors(pid_t process);
+
 /// The whole file as text; empty when there is none.
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& file);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -30,6 +32,7 @@ struct SeenProcess {
   std::string state;             ///< running, suspended, ended
   std::optional<int> exit_code;  ///< 128 + n when signal n ended it
   std::string log;               ///< the file
+  pid_t pid = 0;
 };
 
 /// All that an observer of a deployment knows at one moment: what expectations are about. A plain value.
