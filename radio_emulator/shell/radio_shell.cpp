@@ -21,6 +21,7 @@ RadioShell::RadioShell(const MediumConfig& config, const Fleet& fleet, const run
     : config_{config},
       trace_{std::move(trace)},
       loop_{loop},
+      lease_s_{bus.lease_s},
       robots_(fleet.robots),
       control_{fleet.robots},
       bus_{bus, [this](const Discovery& news) {
@@ -235,6 +236,7 @@ int RadioShell::run() {
   for (;;) {
     if (loop_.wait(std::chrono::steady_clock::now() + 500ms) == runtime::Loop::Woken::kStop)
       return runtime::kDone;
+    if (loop_.was_suspended_for(lease_s_)) throw runtime::BeginAnew{"suspended for longer than the lease"};
     const std::lock_guard lock{mutex_};
     read_mailbox();
     publish_status();

@@ -85,6 +85,7 @@ class RadioShell {
   const MediumConfig config_;
   const std::unique_ptr<runtime::TraceFile> trace_;
   runtime::Loop& loop_;
+  const double lease_s_;
 
   std::mutex mutex_;
   std::uint64_t session_ = 0;

@@ -22,14 +22,15 @@ constexpr auto kSayWaitingAfter = 1s;
 }  // namespace
 
 AgentShell::AgentShell(const std::vector<Config>& configs, const runtime::BusConfig& bus, runtime::Loop& loop)
-    : loop_{loop}, began_{std::chrono::steady_clock::now()}, bus_{bus, [this](const Discovery& news) {
-                                                                    if (news.kind == Discovery::Kind::kJoined)
-                                                                      return;
-                                                                    const std::lock_guard lock{
-                                                                        mailbox_mutex_};
-                                                                    mailbox_.push_back(news);
-                                                                    loop_.notify();
-                                                                  }} {
+    : loop_{loop},
+      lease_s_{bus.lease_s},
+      began_{std::chrono::steady_clock::now()},
+      bus_{bus, [this](const Discovery& news) {
+             if (news.kind == Discovery::Kind::kJoined) return;
+             const std::lock_guard lock{mailbox_mutex_};
+             mailbox_.push_back(news);
+             loop_.notify();
+           }} {
   clash_.emplace(bus_.id(), bus_.identity(),
                  std::chrono::nanoseconds{static_cast<std::int64_t>((bus.lease_s + 0.5) * 1e9)});
   for (const Config& config : configs) {
@@ -127,7 +128,10 @@ int AgentShell::run() {
       watch(now);
       deadline = next_deadline(now);
     }
-    if (loop_.wait(deadline) != runtime::Loop::Woken::kStop) continue;
+    if (loop_.wait(deadline) != runtime::Loop::Woken::kStop) {
+      if (loop_.was_suspended_for(lease_s_)) throw runtime::BeginAnew{"suspended for longer than the lease"};
+      continue;
+    }
     const std::lock_guard lock{mutex_};
     if (clash_->must_be_silent()) return runtime::kDone;
     for (HostedAgent& agent : agents_) agent.halt();

@@ -47,6 +47,7 @@ class AgentShell {
   [[nodiscard]] Wall next_deadline(Wall now) const;
 
   runtime::Loop& loop_;
+  const double lease_s_;
   const Wall began_;
 
   std::mutex mutex_;

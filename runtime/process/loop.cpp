@@ -36,6 +36,7 @@ Loop::Loop() {
   sigemptyset(&set);
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
+  sigaddset(&set, SIGCONT);
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
   signals_ = made(signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK), "signalfd");
   wakeups_ = made(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "eventfd");
@@ -49,6 +50,14 @@ Loop::~Loop() {
 }
 
 Loop::Woken Loop::wait(std::optional<WallTime> deadline, std::span<Watched> others) {
+  const WallTime began = std::chrono::steady_clock::now();
+  continued_ = false;
+  const Woken woken = wait_until(deadline, others);
+  passed_ = std::chrono::steady_clock::now() - began;
+  return woken;
+}
+
+Loop::Woken Loop::wait_until(std::optional<WallTime> deadline, std::span<Watched> others) {
   if (interrupted_) return Woken::kStop;
   std::vector<pollfd> watched{{signals_, POLLIN, 0}, {stops_, POLLIN, 0}, {wakeups_, POLLIN, 0}};
   for (const Watched& other : others) {
@@ -71,6 +80,11 @@ Loop::Woken Loop::wait(std::optional<WallTime> deadline, std::span<Watched> othe
       any_ready = any_ready || others[i].ready;
     }
     if (watched[0].revents != 0) {
+      signalfd_siginfo signal{};
+      if (read(signals_, &signal, sizeof signal) == sizeof signal && signal.ssi_signo == SIGCONT) {
+        continued_ = true;
+        return Woken::kNotified;
+      }
       interrupted_ = true;
       return Woken::kStop;
     }

@@ -20,7 +20,8 @@ struct Watched {
 /// The main thread's one place to wait: for SIGINT or SIGTERM, for a wake-up by another thread, for a
 /// deadline, or for descriptors.
 ///
-/// Blocks the two signals for the whole process on construction, so make it before any other thread.
+/// Blocks the two signals, and SIGCONT, for the whole process on construction, so make it before any other
+/// thread.
 class Loop {
  public:
   enum class Woken : std::uint8_t { kStop, kNotified, kReady, kDeadline };
@@ -33,6 +34,12 @@ class Loop {
   /// @param deadline none: as long as it takes
   /// @param others   whose `ready` is set, whatever the wait returns
   [[nodiscard]] Woken wait(std::optional<WallTime> deadline, std::span<Watched> others = {});
+  /// Whether, during the last wait, this process was stopped and continued (SIGSTOP, SIGCONT) and about its
+  /// lease passed: then the others may have dropped it. A process that is only slow is not meant. Of waits of
+  /// half a second the answer is right to half a second.
+  [[nodiscard]] bool was_suspended_for(double lease_s) const {
+    return continued_ && passed_ > std::chrono::duration<double>(0.9 * lease_s);
+  }
   /// From any thread: the next or present wait returns kNotified.
   void notify();
   /// From any thread: every later wait returns kStop, as after a signal.
@@ -41,10 +48,14 @@ class Loop {
   [[nodiscard]] bool interrupted() const { return interrupted_; }
 
  private:
+  Woken wait_until(std::optional<WallTime> deadline, std::span<Watched> others);
+
   int signals_ = -1;
   int wakeups_ = -1;
   int stops_ = -1;
   bool interrupted_ = false;
+  bool continued_ = false;              // during the last wait
+  std::chrono::nanoseconds passed_{0};  // while it lasted
 };
 
 }  // namespace caravan::runtime

@@ -3,8 +3,11 @@
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
 
 #include "runtime/config/start_error.hpp"
 #include "runtime/process/version.hpp"
@@ -52,6 +55,11 @@ int run_process(const Program& program, int argc, char** argv,
     Loop loop;
     set_up_logging(program.name, level);
     return body(start, loop);
+  } catch (const BeginAnew& anew) {
+    spdlog::warn("{}: beginning anew", anew.reason);
+    execv("/proc/self/exe", argv);
+    spdlog::error("cannot begin anew: {}", std::strerror(errno));
+    return kFailed;
   } catch (const StartError& error) {
     spdlog::error("{}", error.what());
     return kCouldNotStart;

@@ -46,6 +46,12 @@ struct Start {
   bool check_only = false;  ///< --check-config: read and check the configuration, then end
 };
 
+/// Thrown by a body that cannot go on as it is: the process closes what it has and is executed anew, with the
+/// same command line and process id.
+struct BeginAnew {
+  std::string reason;
+};
+
 /// The shell of every main: command line, logging to standard error, signals, exit codes.
 ///
 /// A StartError becomes one line and exit code 2; any other exception one line and exit code 1.

@@ -216,6 +216,38 @@ TEST_F(Faults, AnAgentSuspendedForFiveSecondsComesBack) {
       "5 s are over", [&](const Seen&) { return std::chrono::steady_clock::now() - since > 5s; }, 20s));
   ASSERT_TRUE(does("continue robot 2"));
   EXPECT_TRUE(comes("it is back", "gone is none and members is 4", 15s));
+  EXPECT_TRUE(comes("it has begun anew", "log robot 2 has \"beginning anew\"", 15s));
+  EXPECT_TRUE(goes_on());
+  EXPECT_TRUE(comes("it exchanges", "exchanges 2 > " + std::to_string(seen().robots.at(2).exchanges), 30s));
+}
+
+TEST_F(Faults, ARadioSuspendedForLongerThanItsLeaseComesBack) {
+  start_all_busy();
+  const auto since = std::chrono::steady_clock::now();
+  ASSERT_TRUE(does("suspend radio"));
+  EXPECT_TRUE(comes("it is missed", "gone has radio", 8s));
+  ASSERT_TRUE(comes(
+      "3 s are over", [&](const Seen&) { return std::chrono::steady_clock::now() - since > 3s; }, 20s));
+  ASSERT_TRUE(does("continue radio"));
+  EXPECT_TRUE(comes("it is back", "gone is none and members is 4", 15s));
+  const deploy::Seen now = seen();
+  for (const std::string robot : {"1", "2", "3", "4"}) {
+    const std::uint32_t exchanges = now.robots.at(static_cast<std::uint32_t>(std::stoul(robot))).exchanges;
+    EXPECT_TRUE(comes("everybody hears it", "exchanges " + robot + " > " + std::to_string(exchanges), 30s));
+  }
+}
+
+TEST_F(Faults, AWorldSuspendedForLongerThanItsLeaseEndsAndSaysWhy) {
+  start_all_busy();
+  const auto since = std::chrono::steady_clock::now();
+  ASSERT_TRUE(does("suspend world"));
+  ASSERT_TRUE(comes(
+      "3 s are over", [&](const Seen&) { return std::chrono::steady_clock::now() - since > 3s; }, 20s));
+  ASSERT_TRUE(does("continue world"));
+  EXPECT_TRUE(comes("it ends", "process world is ended and exit world is 1", 15s));
+  EXPECT_TRUE(comes("its log tells", "log world has \"longer than the lease\"", 1s));
+  ASSERT_TRUE(does("start world"));
+  EXPECT_TRUE(comes("another begins", "sessions is 2 and members is 4", 20s));
   EXPECT_TRUE(goes_on());
 }
 
@@ -287,6 +319,27 @@ TEST_F(Faults, AgentsMayComeBeforeTheWorld) {
   ASSERT_TRUE(does("start radio"));
   ASSERT_TRUE(does("start world"));
   EXPECT_TRUE(comes("it starts", "step > 50 and members is 4 and disturbed is no", 30s));
+}
+
+TEST_F(Faults, FifteenAgentsMayComeAtOnce) {
+  deploy({.scenario = scenario("paper.toml"), .lease_s = 5.0});
+  ASSERT_TRUE(does("start world"));
+  ASSERT_TRUE(does("start radio"));
+  ASSERT_TRUE(comes("nobody is there", "missing has \"robot 15\"", 20s));
+  ASSERT_TRUE(does("start robots"));
+  EXPECT_TRUE(comes("it starts", "step > 50 and members is 15 and disturbed is no", 60s));
+}
+
+TEST_F(Faults, FifteenAgentsMayComeOneByOne) {
+  deploy({.scenario = scenario("paper.toml"), .lease_s = 5.0});
+  ASSERT_TRUE(does("start world"));
+  ASSERT_TRUE(does("start radio"));
+  for (int robot = 15; robot >= 1; --robot) {
+    ASSERT_TRUE(does("start robot " + std::to_string(robot)));
+    ASSERT_TRUE(comes("one more",
+                      "missing lacks \"robot " + std::to_string(robot) + "\" and state is not absent", 30s));
+  }
+  EXPECT_TRUE(comes("it starts", "step > 50 and members is 15 and disturbed is no", 60s));
 }
 
 TEST_F(Faults, AgentsMayComeOneByOneAndTheWorldSaysWhoIsMissing) {

@@ -28,6 +28,10 @@ int WorldShell::run() {
       deadline = next_deadline(now);
     }
     if (loop_.wait(deadline) == runtime::Loop::Woken::kStop) return runtime::kDone;
+    if (loop_.was_suspended_for(lease_s_)) {
+      spdlog::error("suspended for longer than the lease: everybody has lost this world, start another");
+      return runtime::kFailed;
+    }
   }
 }
 

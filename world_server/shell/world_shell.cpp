@@ -41,6 +41,7 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
                        runtime::Loop& loop)
     : config_{config},
       loop_{loop},
+      lease_s_{bus.lease_s},
       session_{new_session()},
       period_{period_of(config)},
       trace_{std::move(trace)},

@@ -91,6 +91,7 @@ class WorldShell {
 
   WorldConfig config_;
   runtime::Loop& loop_;
+  const double lease_s_;
   const std::uint64_t session_;
   const Time period_;
   const std::unique_ptr<runtime::TraceFile> trace_;
