@@ -97,9 +97,10 @@ std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_me
   // processes, because two of them check a port at the same moment and the second finds nothing new. With any
   // time this happens; it is long so that it is rare.
   transport->healthy_check_timeout_ms(600'000);
-  // All listen for newcomers at one port, where a killed process leaves a place from which nobody reads any more. With
-  // the default of 512 the port is full half a minute later, and until the next health check whoever starts is not
-  // found. A fleet of 15 with leases of 5 s announces itself 9 times a second, so this lasts for half an hour.
+  // All listen for newcomers at one port, where a killed process leaves a place from which nobody reads any
+  // more. With the default of 512 the port is full half a minute later, and until the next health check
+  // whoever starts is not found. A fleet of 15 with leases of 5 s announces itself 9 times a second, so this
+  // lasts for half an hour.
   transport->port_queue_capacity(16'384);
   return transport;
 }
