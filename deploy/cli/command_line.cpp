@@ -32,8 +32,9 @@ void add_engine(CLI::App& app, std::string& engine) {
 void add_transport(CLI::App& app, runtime::Transport& transport) {
   app.add_option_function<std::string>(
          "--transport", [&](const std::string& text) { transport = runtime::transport_named(text); },
-         "What DDS goes by. shm: shared memory; udp: unicast on 127.0.0.1")
-      ->check(CLI::IsMember({"shm", "udp"}))
+         "What DDS goes by. shm: shared memory; udp: unicast on 127.0.0.1; FILE.xml: a profile, see "
+         "deploy/fastdds")
+      ->check(runtime::complaint_about_transport)
       ->default_str(to_text(transport));
 }
 

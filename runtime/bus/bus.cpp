@@ -144,10 +144,10 @@ struct Bus::Impl {
 
 Bus::Bus(const BusConfig& config, DiscoveryCallback discovered)
     : impl_{std::make_unique<Impl>(std::move(discovered))} {
-  static const bool prepared = (prepare_process(), true);
-  (void)prepared;
   impl_->identity = own_identity(config.role);
   const dds::DomainParticipantQos qos = participant_qos(to_name(impl_->identity), config);
+  static const bool prepared = (prepare_process(), true);  // after a profile was read, which may set them too
+  (void)prepared;
   {
     const StartDeadline deadline{config.domain};
     impl_->participant = dds::DomainParticipantFactory::get_instance()->create_participant(

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "runtime/bus/profile.hpp"
+
 namespace caravan::runtime {
 namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
@@ -80,9 +82,18 @@ void look_for_peers_on_loopback(rtps::BuiltinAttributes& builtin) {
   builtin.initialPeersList.push_back(loopback);
 }
 
-std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> transport_of(const BusConfig& config) {
-  if (config.transport == Transport::kSharedMemory) return shared_memory();
-  return config.around_udp ? config.around_udp : loopback_udp();
+/// What decides how others are reached: transports, addresses, ports, the way of discovery.
+dds::DomainParticipantQos qos_to_reach_others(const BusConfig& config) {
+  if (config.transport.kind == Transport::kProfile) return read_profile(config.transport.profile);
+  dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
+  qos.transport().use_builtin_transports = false;
+  if (config.transport.kind == Transport::kSharedMemory) {
+    qos.transport().user_transports.push_back(shared_memory());
+    return qos;
+  }
+  qos.transport().user_transports.push_back(config.around_udp ? config.around_udp : loopback_udp());
+  look_for_peers_on_loopback(qos.wire_protocol().builtin);
+  return qos;
 }
 
 eprosima::fastrtps::Duration_t milliseconds(std::uint32_t count) {
@@ -113,13 +124,9 @@ std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> loopback_
 }
 
 dds::DomainParticipantQos participant_qos(const std::string& name, const BusConfig& config) {
-  dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
+  dds::DomainParticipantQos qos = qos_to_reach_others(config);
   qos.name(name.c_str());
-  qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports.push_back(transport_of(config));
-  if (config.transport == Transport::kUdp) {
-    look_for_peers_on_loopback(qos.wire_protocol().builtin);
-  } else {
+  if (uses_shared_memory(qos) && qos.wire_protocol().participant_id < 0) {
     qos.wire_protocol().participant_id = fresh_number(config.domain);
   }
   auto& discovery = qos.wire_protocol().builtin.discovery_config;

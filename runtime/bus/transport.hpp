@@ -2,23 +2,46 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
+#include <filesystem>
+#include <string>
 
 namespace caravan::runtime {
 
-/// What a run's samples travel by; all of its processes must use the same. Neither leaves the machine.
-enum class Transport : std::uint8_t {
-  kSharedMemory,
-  kUdp  ///< over 127.0.0.1, unicast; for machines without shared memory, and to compare
+/// What a run's samples travel by; all of its processes must use the same.
+struct Transport {
+  enum Kind : std::uint8_t {
+    kSharedMemory,  ///< nothing leaves the machine
+    kUdp,           ///< over 127.0.0.1, unicast; for machines without shared memory, and to compare
+    kProfile        ///< as a Fast DDS XML file says: between machines; docs/hosts.md
+  };
+  Transport(Kind of_kind = kSharedMemory)
+      : kind{of_kind} {}  // NOLINT(google-explicit-constructor): a name for it
+
+  bool operator==(const Transport&) const = default;
+
+  Kind kind;
+  std::filesystem::path profile = {};  ///< with kProfile: the file, absolute
 };
 
 /// As it stands on a command line.
-[[nodiscard]] constexpr const char* to_text(Transport transport) {
-  return transport == Transport::kUdp ? "udp" : "shm";
+[[nodiscard]] inline std::string to_text(const Transport& transport) {
+  if (transport.kind == Transport::kProfile) return transport.profile;
+  return transport.kind == Transport::kUdp ? "udp" : "shm";
 }
-/// @pre text is "shm" or "udp"
-[[nodiscard]] constexpr Transport transport_named(std::string_view text) {
-  return text == "udp" ? Transport::kUdp : Transport::kSharedMemory;
+/// Why this names no transport; empty: it does. Whether a file says what it should is seen when it is used.
+[[nodiscard]] inline std::string complaint_about_transport(const std::string& text) {
+  if (text == "shm" || text == "udp") return "";
+  std::error_code error;
+  if (!text.ends_with(".xml")) return "neither shm, udp nor a DDS profile file (.xml): " + text;
+  return std::filesystem::is_regular_file(text, error) ? "" : "no such file: " + text;
+}
+/// @pre complaint_about_transport(text) is empty
+[[nodiscard]] inline Transport transport_named(const std::string& text) {
+  if (text == "udp") return Transport::kUdp;
+  if (text == "shm") return Transport::kSharedMemory;
+  Transport transport = Transport::kProfile;
+  transport.profile = std::filesystem::absolute(text);
+  return transport;
 }
 
 }  // namespace caravan::runtime

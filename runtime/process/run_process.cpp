@@ -35,8 +35,9 @@ int run_process(const Program& program, int argc, char** argv,
   app.add_option("--domain", start.domain, "DDS domain, 0 to 232")->check(CLI::Range(0, 232));
   app.add_option("--lease", start.lease_s, "Seconds of silence after which this process counts as gone")
       ->check(CLI::Range(0.5, 60.0));
-  app.add_option("--transport", transport, "What DDS goes by: shm or udp (on 127.0.0.1)")
-      ->check(CLI::IsMember({"shm", "udp"}))
+  app.add_option("--transport", transport,
+                 "What DDS goes by: shm, udp (on 127.0.0.1) or a profile (FILE.xml)")
+      ->check(complaint_about_transport)
       ->capture_default_str();
   app.add_flag("--check-config", start.check_only, "Check the configuration and end");
   app.add_option("--log-level", level, "Least severe message shown")

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/bus/profile.hpp"
+
+#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
+
+#include <algorithm>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <mutex>
+#include <optional>
+
+#include "runtime/config/start_error.hpp"
+
+namespace caravan::runtime {
+namespace dds = eprosima::fastdds::dds;
+
+namespace {
+
+/// Has DDS read the file, once in the life of the process.
+void load_once(const std::filesystem::path& file) {
+  static std::mutex mutex;
+  static std::optional<std::filesystem::path> loaded;
+  const std::lock_guard lock{mutex};
+  if (loaded == file) return;
+  if (loaded) throw StartError{file.string() + ": this process already uses the profile " + loaded->string()};
+  if (dds::DomainParticipantFactory::get_instance()->load_XML_profiles_file(file) !=
+      ReturnCode_t::RETCODE_OK) {
+    throw StartError{file.string() + ": not a Fast DDS profile file, or something in it is wrong"};
+  }
+  loaded = file;
+}
+
+}  // namespace
+
+dds::DomainParticipantQos read_profile(const std::filesystem::path& file) {
+  load_once(file);
+  dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
+  if (dds::DomainParticipantFactory::get_instance()->get_participant_qos_from_profile(kProfileName, qos) !=
+      ReturnCode_t::RETCODE_OK) {
+    throw StartError{file.string() + ": no participant profile named \"" + kProfileName + "\""};
+  }
+  return qos;
+}
+
+bool uses_shared_memory(const dds::DomainParticipantQos& qos) {
+  const auto& transports = qos.transport();
+  const auto is_shared_memory = [](const auto& transport) {
+    return dynamic_cast<const eprosima::fastdds::rtps::SharedMemTransportDescriptor*>(transport.get()) !=
+           nullptr;
+  };
+  return transports.use_builtin_transports ||
+         std::any_of(transports.user_transports.begin(), transports.user_transports.end(), is_shared_memory);
+}
+
+}  // namespace caravan::runtime
