@@ -104,6 +104,17 @@ void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
   deploy.footer(script_help());
 }
 
+void add_doctor_options(CLI::App& doctor, DoctorCommand& command) {
+  doctor.add_option("--robots", command.robots, "So many are to run here")
+      ->check(CLI::Range(1U, 65535U))
+      ->capture_default_str();
+  doctor.add_option("--domain", command.domain, "DDS domain that is to be used")
+      ->check(CLI::Range(0U, 232U))
+      ->capture_default_str();
+  add_transport(doctor, command.transport);
+  doctor.add_flag("--clean", command.clean, "Remove what dead processes have left in /dev/shm");
+}
+
 Exit explain(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return {app.exit(error)};
   std::fprintf(stderr, "caravan: %s (see caravan --help)\n", error.what());
@@ -144,6 +155,10 @@ Command read_command_line(int argc, const char* const* argv) {
   DeployCommand deploy_command;
   CLI::App* deploy = app.add_subcommand("deploy", "Run a scripted test of a deployment");
   add_deploy_options(*deploy, deploy_command);
+  DoctorCommand doctor_command;
+  CLI::App* doctor =
+      app.add_subcommand("doctor", "Is this host fit for a run? Says what to do where it is not");
+  add_doctor_options(*doctor, doctor_command);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -156,6 +171,7 @@ Command read_command_line(int argc, const char* const* argv) {
   if (report->parsed()) return report_command;
   if (ctl->parsed()) return ctl_command;
   if (deploy->parsed()) return deploy_command;
+  if (doctor->parsed()) return doctor_command;
   return run_command;
 }
 

@@ -61,6 +61,13 @@ struct CtlCommand {
   std::vector<std::string> words;  ///< as run_ctl() takes them
 };
 
+struct DoctorCommand {
+  std::uint32_t robots = 15;
+  std::uint32_t domain = 0;
+  runtime::Transport transport = runtime::Transport::kSharedMemory;
+  bool clean = false;
+};
+
 struct DeployCommand {
   std::filesystem::path script;
   std::optional<std::filesystem::path> out;
@@ -76,7 +83,7 @@ struct Exit {
 };
 
 using Command = std::variant<CheckCommand, RunCommand, DiffCommand, SweepCommand, ReportCommand, CtlCommand,
-                             DeployCommand, Exit>;
+                             DeployCommand, DoctorCommand, Exit>;
 
 /// What the command line of `caravan` asks for. Errors are one line on standard error and exit code 2.
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);

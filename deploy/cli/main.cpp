@@ -6,6 +6,7 @@
 #include "deploy/cli/command_line.hpp"
 #include "deploy/cli/plan_sweep.hpp"
 #include "deploy/control/run_ctl.hpp"
+#include "deploy/doctor/run_doctor.hpp"
 #include "deploy/embedded/run_embedded.hpp"
 #include "deploy/kit/run_script.hpp"
 #include "deploy/launcher/run_dds.hpp"
@@ -82,6 +83,12 @@ int obey(const deploy::SweepCommand& command) { return sweep(command); }
 int obey(const deploy::ReportCommand& command) { return deploy::write_report(command.folders, command.out); }
 int obey(const deploy::CtlCommand& command) {
   return deploy::run_ctl(command.domain, command.transport, command.words);
+}
+int obey(const deploy::DoctorCommand& command) {
+  return deploy::run_doctor({.robots = command.robots,
+                             .domain = command.domain,
+                             .transport = command.transport,
+                             .clean = command.clean});
 }
 int obey(const deploy::DeployCommand& command) {
   runtime::Loop loop;

@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/launcher/shared_memory.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -14,11 +20,11 @@ namespace {
 const fs::path kFolder{"/dev/shm"};
 constexpr std::string_view kPortMark = "fastrtps_port";
 
-/// DDS files in /dev/shm that a process has mapped.
-std::set<std::string> mapped_by(const fs::path& process) {
+/// DDS files in the folder that a process has mapped.
+std::set<std::string> mapped_by(const fs::path& process, const fs::path& folder = kFolder) {
   std::set<std::string> names;
   std::ifstream maps{process / "maps"};
-  const std::string mark = kFolder.string() + "/";
+  const std::string mark = folder.string() + "/";
   for (std::string line; std::getline(maps, line);) {
     const std::size_t place = line.find(mark);
     if (place == std::string::npos || line.find("fastrtps") == std::string::npos) continue;
@@ -28,14 +34,14 @@ std::set<std::string> mapped_by(const fs::path& process) {
   return names;
 }
 
-std::set<std::string> mapped_by_the_living() {
+std::set<std::string> mapped_by_the_living(const fs::path& folder = kFolder) {
   std::set<std::string> names;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator{"/proc", error}) {
     const std::string name = entry.path().filename();
     if (!std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; }))
       continue;
-    names.merge(mapped_by(entry.path()));
+    names.merge(mapped_by(entry.path(), folder));
   }
   return names;
 }
@@ -55,6 +61,15 @@ std::string without_lock_mark(const std::string& name) {
   return name.ends_with("_el") ? name.substr(0, name.size() - 3) : name;
 }
 
+/// The segment that a file goes with: itself, or that of a lock (_el, _sl) or a semaphore (sem.*_mutex).
+std::string segment_of(std::string name) {
+  if (name.starts_with("sem.")) name = name.substr(4);
+  for (const std::string_view mark : {"_el", "_sl", "_mutex"}) {
+    if (name.ends_with(mark)) name.resize(name.size() - mark.size());
+  }
+  return name;
+}
+
 template <typename Ours>
 void remove_unused(Ours is_ours) {
   const std::set<std::string> in_use = mapped_by_the_living();
@@ -64,6 +79,28 @@ void remove_unused(Ours is_ours) {
     if (!is_ours(name) || in_use.contains(name) || in_use.contains(without_lock_mark(name))) continue;
     fs::remove(entry.path(), error);
   }
+}
+
+bool is_locked(const fs::path& file) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) != 0;
+  close(descriptor);  // and with it our own lock
+  return locked;
+}
+
+/// Whether somebody who cannot be seen here, in another container for example, holds DDS's lock on it.
+bool is_held(const fs::path& folder, const std::string& segment) {
+  return is_locked(folder / (segment + "_el")) || is_locked(folder / (segment + "_sl"));
+}
+
+/// Ours to remove, and too old to belong to somebody who is starting.
+bool is_ours_and_old(const fs::path& file) {
+  constexpr std::time_t kOld_s = 60;
+  struct stat facts {};
+  if (stat(file.c_str(), &facts) != 0) return false;
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return (geteuid() == 0 || facts.st_uid == geteuid()) && now - facts.st_mtime > kOld_s;
 }
 
 }  // namespace
@@ -84,6 +121,29 @@ bool has_living_ports(std::uint32_t domain) {
   const std::set<std::string> in_use = mapped_by_the_living();
   return std::any_of(in_use.begin(), in_use.end(),
                      [&](const std::string& name) { return is_port_of(name, domain); });
+}
+
+std::vector<LeftFile> left_by_the_dead(const fs::path& folder) {
+  const std::set<std::string> in_use = mapped_by_the_living(folder);
+  std::vector<LeftFile> left;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator{folder, error}) {
+    const std::string name = entry.path().filename();
+    const std::string segment = segment_of(name);
+    if (!segment.starts_with("fastrtps_") || in_use.contains(name) || in_use.contains(segment)) continue;
+    if (!is_ours_and_old(entry.path()) || is_held(folder, segment)) continue;
+    left.push_back({name, fs::file_size(entry.path(), error)});
+  }
+  std::sort(left.begin(), left.end(), [](const LeftFile& a, const LeftFile& b) { return a.name < b.name; });
+  return left;
+}
+
+std::size_t remove_left_by_the_dead(const fs::path& folder) {
+  std::size_t removed = 0;
+  std::error_code error;
+  for (const LeftFile& file : left_by_the_dead(folder))
+    removed += fs::remove(folder / file.name, error) ? 1U : 0U;
+  return removed;
 }
 
 void remove_dead_ports(std::uint32_t domain) {

@@ -4,8 +4,10 @@
 #include <sys/types.h>
 
 #include <cstdint>
+#include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace caravan::deploy {
 
@@ -15,6 +17,18 @@ namespace caravan::deploy {
 /// made a port leaves one at which every later participant of the domain would hang.
 /// @pre nobody is starting in the domain
 void remove_dead_ports(std::uint32_t domain);
+
+struct LeftFile {
+  std::string name;  ///< in the folder
+  std::uint64_t bytes = 0;
+};
+
+/// DDS files, of whatever domain or program, that the present user may remove and that nobody alive has
+/// mapped or locked, in containers too. Those made within the last minute are spared: somebody may be
+/// starting.
+[[nodiscard]] std::vector<LeftFile> left_by_the_dead(const std::filesystem::path& folder = "/dev/shm");
+/// Removes them. @return how many
+std::size_t remove_left_by_the_dead(const std::filesystem::path& folder = "/dev/shm");
 
 /// The shared-memory files that a run's processes leave behind when they are killed.
 ///

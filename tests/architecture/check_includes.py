@@ -49,6 +49,7 @@ ALLOWED = {
     "deploy/report": [STD, POSIX, "runtime/config", "runtime/process"],
     "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, GTEST, "deploy/control", "deploy/launcher"],
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
+    "deploy/doctor": [STD, POSIX, "runtime", "deploy/launcher/shared_memory.hpp"],
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/bus/transport.hpp", "deploy",
                    "robot_agent/config", "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium",
                    "hardware_bridge/config"],
@@ -65,7 +66,7 @@ NO_CLOCK = re.compile(r"_clock::now\b")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 GENERATED_FOR_ROBOTS = re.compile(r"(robot|stamp|clock)(PubSubTypes)?\.h$")
 GENERATED_FOR_TRUTH = re.compile(r"(world|control)(PubSubTypes)?\.h$")
-POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|poll|termios|sched|pthread|signal|dirent|spawn|netdb|arpa/.*|netinet/.*)\.h$")
+POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|poll|termios|sched|pthread|signal|dirent|spawn|netdb|ifaddrs|arpa/.*|netinet/.*)\.h$")
 OUTSIDE = {"Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr": DDS, "toml++": TOML,
            "nlohmann": JSON, "spdlog": LOG, "CLI": CLI, "gtest": GTEST}
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "deploy/doctor/facts.hpp"
+#include "runtime/bus/transport.hpp"
+
+namespace caravan::deploy {
+
+/// Looks at this host, as the present user may.
+/// @throws runtime::StartError when the transport is a profile that cannot be read
+[[nodiscard]] HostFacts look_at_host(std::uint32_t robots, std::uint32_t domain,
+                                     const runtime::Transport& transport);
+
+}  // namespace caravan::deploy

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which files in shared memory nobody needs any more.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include "deploy/launcher/shared_memory.hpp"
+
+namespace caravan::deploy {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A folder in the place of /dev/shm.
+class LeftOver : public testing::Test {
+ protected:
+  LeftOver() {
+    std::string pattern = fs::temp_directory_path() / "caravan_left_XXXXXX";
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~LeftOver() override { fs::remove_all(folder_); }
+
+  fs::path make(const std::string& name, std::chrono::seconds age) const {
+    std::ofstream{folder_ / name} << "12345";
+    fs::last_write_time(folder_ / name, fs::file_time_type::clock::now() - age);
+    return folder_ / name;
+  }
+  [[nodiscard]] std::vector<std::string> left() const {
+    std::vector<std::string> names;
+    for (const LeftFile& file : left_by_the_dead(folder_)) names.push_back(file.name);
+    return names;
+  }
+  fs::path folder_;
+};
+
+TEST_F(LeftOver, IsWhatIsOldAndOfDds) {
+  make("fastrtps_0123", 1h);
+  make("fastrtps_0123_el", 1h);
+  make("fastrtps_port7410", 1h);
+  make("sem.fastrtps_port7410_mutex", 1h);
+  make("fastrtps_4567", 0s);   // somebody is starting
+  make("somebody_elses", 1h);  // not of DDS
+  make("sem.other_mutex", 1h);
+  EXPECT_THAT(left(), ElementsAre("fastrtps_0123", "fastrtps_0123_el", "fastrtps_port7410",
+                                  "sem.fastrtps_port7410_mutex"));
+  EXPECT_EQ(left_by_the_dead(folder_).front().bytes, 5U);
+  EXPECT_EQ(remove_left_by_the_dead(folder_), 4U);
+  EXPECT_THAT(left(), IsEmpty());
+  EXPECT_TRUE(fs::exists(folder_ / "somebody_elses"));
+  EXPECT_TRUE(fs::exists(folder_ / "fastrtps_4567"));
+}
+
+TEST_F(LeftOver, IsNotWhatSomebodyHasMapped) {
+  const fs::path file = make("fastrtps_0123", 1h);
+  make("fastrtps_0123_el", 1h);
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  void* mapped = mmap(nullptr, 5, PROT_READ, MAP_SHARED, descriptor, 0);
+  close(descriptor);
+  ASSERT_NE(mapped, MAP_FAILED);
+  EXPECT_THAT(left(), IsEmpty());
+  munmap(mapped, 5);
+  EXPECT_THAT(left(), ElementsAre("fastrtps_0123", "fastrtps_0123_el"));
+}
+
+TEST_F(LeftOver, IsNotWhatSomebodyUnseenHasLocked) {
+  make("fastrtps_port7410", 1h);
+  make("sem.fastrtps_port7410_mutex", 1h);
+  const fs::path lock = make("fastrtps_port7410_sl", 1h);
+  const int descriptor = open(lock.c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(flock(descriptor, LOCK_SH), 0);
+  EXPECT_THAT(left(), IsEmpty());
+  close(descriptor);
+  EXPECT_EQ(left().size(), 3U);
+}
+
+}  // namespace
+}  // namespace caravan::deploy
