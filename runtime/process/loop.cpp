@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "runtime/config/start_error.hpp"
+#include "runtime/process/service_manager.hpp"
 
 namespace caravan::runtime {
 namespace {
@@ -41,6 +42,7 @@ Loop::Loop() {
   signals_ = made(signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK), "signalfd");
   wakeups_ = made(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "eventfd");
   stops_ = made(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "eventfd");
+  if (const auto period = watchdog_period()) watchdog_ = *period / 2;
 }
 
 Loop::~Loop() {
@@ -50,11 +52,19 @@ Loop::~Loop() {
 }
 
 Loop::Woken Loop::wait(std::optional<WallTime> deadline, std::span<Watched> others) {
+  if (!was_ready_) tell_service_manager("READY=1");
+  was_ready_ = true;
   const WallTime began = std::chrono::steady_clock::now();
+  if (watchdog_ && began >= alive_due_) {
+    tell_service_manager("WATCHDOG=1");
+    alive_due_ = began + *watchdog_;
+  }
+  const bool must_come_back = watchdog_ && (!deadline || alive_due_ < *deadline);
   continued_ = false;
-  const Woken woken = wait_until(deadline, others);
+  const Woken woken = wait_until(must_come_back ? alive_due_ : deadline, others);
   passed_ = std::chrono::steady_clock::now() - began;
-  return woken;
+  if (woken == Woken::kStop) tell_service_manager("STOPPING=1");
+  return woken == Woken::kDeadline && must_come_back ? Woken::kNotified : woken;
 }
 
 Loop::Woken Loop::wait_until(std::optional<WallTime> deadline, std::span<Watched> others) {

@@ -20,6 +20,9 @@ struct Watched {
 /// The main thread's one place to wait: for SIGINT or SIGTERM, for a wake-up by another thread, for a
 /// deadline, or for descriptors.
 ///
+/// It also speaks for the process to the service manager (see service_manager.hpp): ready at the first wait,
+/// alive whenever the caller comes back to wait, stopping when told to.
+///
 /// Blocks the two signals, and SIGCONT, for the whole process on construction, so make it before any other
 /// thread.
 class Loop {
@@ -31,7 +34,8 @@ class Loop {
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
-  /// @param deadline none: as long as it takes
+  /// @param deadline none: as long as it takes. May return kNotified earlier, when somebody wants to know
+  ///                 whether the caller is still alive
   /// @param others   whose `ready` is set, whatever the wait returns
   [[nodiscard]] Woken wait(std::optional<WallTime> deadline, std::span<Watched> others = {});
   /// Whether, during the last wait, this process was stopped and continued (SIGSTOP, SIGCONT) and about its
@@ -56,6 +60,9 @@ class Loop {
   bool interrupted_ = false;
   bool continued_ = false;              // during the last wait
   std::chrono::nanoseconds passed_{0};  // while it lasted
+  bool was_ready_ = false;
+  std::optional<std::chrono::microseconds> watchdog_;  // how often the caller should come back
+  WallTime alive_due_{};
 };
 
 }  // namespace caravan::runtime
