@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/system/hosts/fleet.hpp"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <regex>
+
+namespace caravan::test {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+std::string name_of(const std::string& program, const std::string& robots) {
+  return robots.empty() ? program : program + "_" + robots;
+}
+
+}  // namespace
+
+FleetStatus read_status(const std::string& text) {
+  static const std::regex kHead{
+      R"((\w+)  steps (\d+)  simulated [0-9.]+ s  members (\d+)  items \d+(  disturbed)?)"};
+  static const std::regex kGone{R"(gone (.*))"};
+  FleetStatus status;
+  std::smatch head, gone;
+  status.answered = std::regex_search(text, head, kHead) && std::regex_search(text, gone, kGone);
+  if (!status.answered) return status;
+  status.state = head[1];
+  status.steps = std::stoull(head[2]);
+  status.members = static_cast<std::uint32_t>(std::stoul(head[3]));
+  status.disturbed = head[4].matched;
+  status.gone = gone[1];
+  return status;
+}
+
+void Fleet::start(const Starter& starter, const std::string& program, const std::string& robots) {
+  std::vector<std::string> line{program, "--scenario", scenario_};
+  line.insert(line.end(), options_.begin(), options_.end());
+  if (!robots.empty()) line.insert(line.end(), {"--robots", robots});
+  const std::string name = name_of(program, robots);
+  processes_[name] = starter(line, name);
+}
+
+void Fleet::kill(const std::string& program, const std::string& robots) {
+  deploy::Process& victim = process(program, robots);
+  victim.signal(SIGKILL);
+  EXPECT_EQ(victim.wait(20s), 128 + SIGKILL);
+}
+
+deploy::Process& Fleet::process(const std::string& program, const std::string& robots) {
+  return *processes_.at(name_of(program, robots));
+}
+
+FleetStatus Fleet::watch(const Starter& starter, const std::function<bool(const FleetStatus&)>& wanted) {
+  const auto deadline = std::chrono::steady_clock::now() + 60s;
+  FleetStatus newest;
+  while (std::chrono::steady_clock::now() < deadline) {
+    std::vector<std::string> line{"caravan", "ctl"};
+    for (std::size_t i = 0; i + 1 < options_.size(); i += 2) {
+      if (options_[i] != "--lease") line.insert(line.end(), {options_[i], options_[i + 1]});
+    }
+    line.emplace_back("status");
+    const auto ctl = starter(line, "ctl");
+    (void)ctl->wait(30s);
+    newest = read_status(ctl->output());
+    if (wanted(newest)) break;
+  }
+  return newest;
+}
+
+std::string Fleet::digest(std::chrono::milliseconds patience) {
+  const deploy::Process& world = process("world_server");
+  static const std::regex kFinished{R"(finished sim_s=.* digest=([0-9a-f]+))"};
+  std::smatch found;
+  std::string text;
+  const auto has_ended = [&] {
+    text = world.output();
+    return std::regex_search(text, found, kFinished);
+  };
+  return eventually(has_ended, patience) ? found[1].str() : "";
+}
+
+std::vector<std::string> Fleet::ended() {
+  std::vector<std::string> names;
+  for (const auto& [name, process] : processes_) {
+    if (process->wait(0ms)) names.push_back(name + ": " + process->output());
+  }
+  return names;
+}
+
+}  // namespace caravan::test

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/system/support/process.hpp"
+
+namespace caravan::test {
+
+/// Where and how to start one of our programs.
+using Starter = std::function<std::unique_ptr<deploy::Process>(std::vector<std::string> arguments,
+                                                               const std::string& log)>;
+
+/// What `caravan ctl status` says.
+struct FleetStatus {
+  bool answered = false;
+  std::string state;
+  std::uint64_t steps = 0;
+  std::uint32_t members = 0;
+  bool disturbed = false;
+  std::string gone;  ///< comma-separated, "-" when nobody is
+};
+
+[[nodiscard]] FleetStatus read_status(const std::string& text);
+
+/// The processes of one run, started by hand as in the field, and watched by `caravan ctl`. They are killed
+/// at the end: of many that say goodbye at once, Fast DDS 2.9 now and then aborts one (docs/faults.md).
+class Fleet {
+ public:
+  /// @param options  that every program takes: --domain, --transport and so on
+  Fleet(std::string scenario, std::vector<std::string> options)
+      : scenario_{std::move(scenario)}, options_{std::move(options)} {}
+
+  void start(const Starter& starter, const std::string& program, const std::string& robots = "");
+  /// kill -9. @param robots as it was started with
+  void kill(const std::string& program, const std::string& robots = "");
+  [[nodiscard]] deploy::Process& process(const std::string& program, const std::string& robots = "");
+
+  /// Asks until `wanted` holds or half a minute is over. @return the last answer
+  FleetStatus watch(const Starter& starter, const std::function<bool(const FleetStatus&)>& wanted);
+  /// From the world's log; empty when the run has not ended within `patience`.
+  [[nodiscard]] std::string digest(std::chrono::milliseconds patience);
+  /// Names of those that have ended.
+  [[nodiscard]] std::vector<std::string> ended();
+
+ private:
+  std::string scenario_;
+  std::vector<std::string> options_;
+  std::map<std::string, std::unique_ptr<deploy::Process>> processes_;
+};
+
+inline bool is_whole(const FleetStatus& status, std::uint32_t robots) {
+  return status.answered && status.members == robots && status.gone == "-";
+}
+
+}  // namespace caravan::test
