@@ -17,6 +17,8 @@ constexpr double kFacing_rad = 0.5;  // something ahead matters when the goal is
 // Trouble is the same trouble again when it comes this soon and this near.
 constexpr Time kAgain = 15s;
 constexpr double kSamePlace_m = 1.0;
+// After so many attempts in a place what is remembered of its surfaces holds the robot no longer.
+constexpr int kMostAttempts = 20;
 constexpr double kBacksOff_m = 0.4;
 // A robot ahead that comes no nearer than this drives in the same direction: follow it.
 constexpr double kComes_mps = 0.2;
@@ -25,6 +27,11 @@ constexpr double kComes_mps = 0.2;
 constexpr double kHeld_mps = 0.3;
 constexpr Time kLongestStep = 1s;
 constexpr Time kHeldLong = 700ms;
+
+Perception without_surfaces(Perception seen) {
+  seen.surfaces.clear();
+  return seen;
+}
 
 }  // namespace
 
@@ -38,6 +45,11 @@ Motion Driver::stand(Activity activity, Time now) {
   return {{}, activity, Obstruction::kNone};
 }
 
+bool Driver::is_hopeless(const Perception& seen) const {
+  return attempts_ >= kMostAttempts && seen.now - last_trouble_ < kAgain &&
+         seen.distance_to(last_trouble_at_) < kSamePlace_m;
+}
+
 int Driver::attempts_at(const Perception& seen) {
   const bool again = seen.now - last_trouble_ < kAgain && seen.distance_to(last_trouble_at_) < kSamePlace_m;
   attempts_ = again ? attempts_ + 1 : 0;
@@ -48,14 +60,16 @@ int Driver::attempts_at(const Perception& seen) {
 
 Motion Driver::drive_to(const Point& goal_W, const Perception& seen, pure::Random& random) {
   Motion motion = approach(goal_W, seen, random);
-  const auto [allowed, surface_near] = keep_clear(motion.wheels, movement_, seen, config_);
+  const auto [allowed, surface_near] =
+      is_hopeless(seen) ? keep_clear(motion.wheels, movement_, without_surfaces(seen), config_)
+                        : keep_clear(motion.wheels, movement_, seen, config_);
   if (is_held(motion.wheels, allowed, seen.now)) {
     held_since_.reset();
     if (auto* manoeuvring = std::get_if<Manoeuvring>(&state_)) {
       manoeuvring->performance.skip();
     } else if (surface_near) {
-      // The task may know something better.
-      free(goal_W, seen, random);
+      // The task may know a way round; where that does not help, it comes away first.
+      if (const int attempt = attempts_at(seen); attempt > 0) free(goal_W, seen, attempt, random);
       motion.obstruction = Obstruction::kObstacle;
     } else {
       motion.obstruction = Obstruction::kRobot;
@@ -93,18 +107,22 @@ void Driver::meet(const std::optional<Meeting>& meeting, const Point& goal_W, co
   state_ = Manoeuvring{Performance{when_meeting_(encounter)}};
 }
 
-void Driver::free(const Point& goal_W, const Perception& seen, pure::Random& random) {
-  state_ = Manoeuvring{
-      Performance{free_itself({seen, config_, seen.bearing_to(goal_W), random.unit(), attempts_at(seen)})}};
+void Driver::free(const Point& goal_W, const Perception& seen, int attempt, pure::Random& random) {
+  state_ =
+      Manoeuvring{Performance{free_itself({seen, config_, seen.bearing_to(goal_W), random.unit(), attempt})}};
 }
 
 Motion Driver::approach(const Point& goal_W, const Perception& seen, pure::Random& random) {
-  if (monitor_.update(seen, last_wheels_, config_)) {
+  const bool stuck = monitor_.update(seen, last_wheels_, config_);
+  auto* manoeuvring = std::get_if<Manoeuvring>(&state_);
+  if (stuck && manoeuvring && last_wheels_.left_mps < 0.0 && last_wheels_.right_mps < 0.0) {
+    manoeuvring->performance.skip();  // behind it is something as well: no more backing off
+  } else if (stuck) {
     const bool drove_forward = last_wheels_.left_mps > 0.0 && last_wheels_.right_mps > 0.0;
-    free(goal_W, seen, random);
+    free(goal_W, seen, attempts_at(seen), random);
     return {{}, Activity::kAvoiding, Obstruction::kTouch, drove_forward};
   }
-  if (auto* manoeuvring = std::get_if<Manoeuvring>(&state_)) {
+  if (manoeuvring) {
     if (const auto wheels = manoeuvring->performance.step(seen, config_)) {
       return {*wheels, Activity::kAvoiding, Obstruction::kNone};
     }

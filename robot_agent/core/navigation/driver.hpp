@@ -63,9 +63,10 @@ class Driver {
   [[nodiscard]] Motion approach(const Point& goal_W, const Perception& seen, pure::Random& random);
   void meet(const std::optional<Meeting>& meeting, const Point& goal_W, const Perception& seen,
             pure::Random& random);
-  void free(const Point& goal_W, const Perception& seen, pure::Random& random);
+  void free(const Point& goal_W, const Perception& seen, int attempt, pure::Random& random);
   void tell(const Wheels& wheels, Time now);
   [[nodiscard]] bool is_held(const Wheels& wanted, const Wheels& allowed, Time now);
+  [[nodiscard]] bool is_hopeless(const Perception& seen) const;
   [[nodiscard]] int attempts_at(const Perception& seen);
 
   Config config_;

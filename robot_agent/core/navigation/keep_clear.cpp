@@ -22,7 +22,8 @@ constexpr double kNothing_m = 1e-3;
 constexpr double kMayLose = 0.7;  // of the space between two bodies when it is too little already
 constexpr double kBodiesMatter = 3.0;
 constexpr double kFromSurfaces_m = 0.04;
-constexpr double kInside_m = 0.05;  // a surface deeper inside the body than this cannot be there
+constexpr double kTouches_m = 0.005;  // a robot that touches a wall may drive along it
+constexpr double kInside_m = 0.05;    // a surface deeper inside the body than this cannot be there
 
 using Course = std::array<Body, kMoments>;
 
@@ -75,11 +76,15 @@ class Scene {
                            spaced.bodies_m < keeps ? kMayLose * spaced.bodies_m : keeps};
       others_.push_back({wanted, course_of(body, moves, moves)});
     }
+    double nearest = kFromSurfaces_m;
     for (const Point& at : seen.surfaces) {
       const double apart = signed_distance_m(self_, at, config_);
       if (apart <= -kInside_m) continue;
+      nearest = std::min(nearest, apart);
       surfaces_.push_back({at, std::min(kFromSurfaces_m, apart > 0.0 ? kMayLose * apart : apart)});
     }
+    if (nearest > kTouches_m) return;
+    for (Surface& surface : surfaces_) surface.wanted_m = std::min(surface.wanted_m, nearest);
   }
 
   [[nodiscard]] bool is_empty() const { return others_.empty() && surfaces_.empty(); }

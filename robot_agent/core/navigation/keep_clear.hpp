@@ -18,7 +18,7 @@ struct Allowed {
 /// near to any robot that has told where it is and does the same. Too near is: less than config.keep_clear_m
 /// between the bodies; or the axles so close that one could not turn on the spot beside the other. Who is too
 /// near already shall not come nearer by more than a little. The same holds for the body and the places in
-/// seen.surfaces, where 4 cm are enough: these do not move.
+/// seen.surfaces, where 4 cm are enough: these do not move. Who touches one may drive along it.
 ///
 /// Returned is the wanted movement when it is safe, else the safe one most like it, standing included; when
 /// none is safe, the least bad. It does not drive forwards or backwards into an echo to keep clear.

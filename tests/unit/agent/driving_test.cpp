@@ -186,5 +186,21 @@ TEST(Arrival, WithinOneMetreAndInACrowdWithinTheServiceRadius) {
   EXPECT_FALSE(has_arrived(crowded, {1.6, 0}, config));
 }
 
+TEST(Driver, ThatCannotBackOffTurns) {
+  Driver driver{{}, turn_slightly_left};
+  pure::Random random{1};
+  bool backed = false;
+  bool turned = false;
+  for (int step = 0; step < 400; ++step) {  // it never moves, whatever it does
+    Perception seen = test::look({}, {0, 0}, 0.0);
+    seen.now = step * std::chrono::milliseconds{32};
+    const Wheels wheels = driver.drive_to({3.0, 0.0}, seen, random).wheels;
+    backed = backed || (wheels.left_mps < 0.0 && wheels.right_mps < 0.0);
+    turned = turned || wheels.left_mps * wheels.right_mps < 0.0;
+  }
+  EXPECT_TRUE(backed);
+  EXPECT_TRUE(turned);
+}
+
 }  // namespace
 }  // namespace caravan::agent

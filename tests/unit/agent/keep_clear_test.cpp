@@ -107,6 +107,14 @@ TEST(KeepClear, DrivesOnAndAwayFromAWallThatItIsTooNearTo) {
   EXPECT_GE(allowed.left_mps, allowed.right_mps) << "not towards the wall";
 }
 
+TEST(KeepClear, DrivesAlongAWallThatItTouches) {
+  for (const double left_m : {0.191, 0.18}) {
+    SCOPED_TRACE(left_m);
+    EXPECT_EQ(kept(kCruise, {0.975, 0.0}, beside_a_wall(left_m), {}), kCruise);
+    EXPECT_EQ(kept({-0.29, -0.29}, {}, beside_a_wall(left_m), {}), (Wheels{-0.29, -0.29}));
+  }
+}
+
 TEST(KeepClear, DoesNotDriveIntoACornerThatItRemembers) {
   Perception seen = test::look({}, {0, 0}, 0.0);
   seen.surfaces.emplace_back(0.45, 0.1);
