@@ -54,6 +54,9 @@ Senses World::sense(std::uint32_t robot) {
 std::span<const Pose> World::poses() const { return impl_->poses; }
 void World::advance(std::span<const std::optional<Command>> /*commands*/) { ++impl_->step; }
 std::string World::place(std::uint32_t /*robot*/, const Pose& /*pose*/) { return "this world stands still"; }
+std::string World::remove(std::uint32_t /*robot*/) { return "this world stands still"; }
+std::string World::spawn(std::uint32_t /*robot*/, const Pose& /*pose*/) { return "this world stands still"; }
+bool World::is_present(std::uint32_t /*robot*/) const { return true; }
 std::uint64_t World::step() const { return impl_->step; }
 Time World::now() const { return static_cast<Time::rep>(impl_->step) * impl_->period; }
 std::span<const ContactEpisode> World::contacts() const { return {}; }
