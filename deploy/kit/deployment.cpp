@@ -29,7 +29,7 @@ constexpr auto kStepPatience = 10'000ms;
 constexpr auto kLookPeriod = 10ms;  // how late the end of a process may be noticed
 
 fs::path write_scenario(const DeploymentOptions& options) {
-  const fs::path file = options.folder / "scenario.toml";
+  fs::path file = options.folder / "scenario.toml";
   std::ofstream{file} << with_changes(options.scenario, options.changes);
   return file;
 }
@@ -178,7 +178,7 @@ Result Deployment::hold_at(std::uint64_t step) {
   msg::ControlRequest pause;
   pause.action(msg::ControlRequest_Constants::PAUSE);
   pause.at_step(step);
-  if (const Result asked = ask(pause); !asked.good) return asked;
+  if (Result asked = ask(pause); !asked.good) return asked;
   const std::string text = "state is paused and step is " + std::to_string(step);
   return expect("the world is held at step " + std::to_string(step), Condition{text}, kHoldPatience);
 }
@@ -192,9 +192,9 @@ Result Deployment::step_until(const Condition& condition, std::uint64_t most) {
     msg::ControlRequest step;
     step.action(msg::ControlRequest_Constants::STEP);
     step.steps(1);
-    if (const Result asked = ask(step); !asked.good) return asked;
+    if (Result asked = ask(step); !asked.good) return asked;
     const Condition there{"state is paused and step is " + std::to_string(now.step + 1)};
-    if (const Result came = expect("one step", there, kStepPatience); !came.good) return came;
+    if (Result came = expect("one step", there, kStepPatience); !came.good) return came;
   }
   return {true, ""};
 }
@@ -243,12 +243,10 @@ Result Deployment::expect(const std::string& name, const Condition& condition,
     if (condition.holds(now)) return {true, "", took_s};
     const bool interrupted = options_.is_interrupted && options_.is_interrupted();
     if (interrupted || Clock::now() - began >= within) {
-      const std::string waited =
-          (interrupted ? "interrupted after " : "not within ") + std::to_string(took_s) + " s";
-      return {false,
-              name + ": " + waited + "\n  expected: " + condition.text() +
-                  "\n  seen: " + condition.values(now) + "\n" + scene(now),
-              took_s};
+      std::string report = name + (interrupted ? ": interrupted after " : ": not within ");
+      report += std::to_string(took_s) + " s\n  expected: " + condition.text();
+      report += "\n  seen: " + condition.values(now) + "\n" + scene(now);
+      return {false, std::move(report), took_s};
     }
     if (Clock::now() - noted_ > 2s) note_shared_memory();
     ears_->wait_for_news(kLookPeriod);

@@ -62,6 +62,7 @@ BridgeConfig load_bridge_config(const runtime::TomlDocument& scenario, bool has_
   config.link.acceleration_mps2 = table.acceleration_mps2;
   config.link.speed_limit_mps = robots.wheel_limit_mps;
   config.link.silence = to_time(table.silence_s);
+  config.link.slowest_watchdog = to_time(table.command_timeout_s);
   config.fusion = fusion_of(table, has_gps);
   config.arena = place_of(table);
   config.compass_offset_rad = table.compass_offset_rad;

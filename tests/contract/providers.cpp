@@ -29,7 +29,7 @@ Programs start_pioneer_bridge(ContractField& field) {
 
 }  // namespace
 
-void PrintTo(const Provider& provider, std::ostream* out) { *out << provider.name; }
+std::ostream& operator<<(std::ostream& out, const Provider& provider) { return out << provider.name; }
 
 void ContractField::SetUp() { programs_ = GetParam().start(*this); }
 

@@ -17,7 +17,7 @@ struct Provider {
   std::vector<std::unique_ptr<Program>> (*start)(class ContractField& field) = nullptr;
 };
 
-void PrintTo(const Provider& provider, std::ostream* out);
+std::ostream& operator<<(std::ostream& out, const Provider& provider);
 
 /// A room with one robot near the source, and the truth beside it.
 class ContractField : public Field, public ::testing::WithParamInterface<Provider> {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hardware_bridge/core/arcos/command.hpp"
+#include "hardware_bridge/core/arcos/settings.hpp"
 #include "hardware_bridge/core/arcos/sip.hpp"
 #include "runtime/pure/assert.hpp"
 #include "tests/fuzz/bridge_targets.hpp"
@@ -21,6 +22,10 @@ void round_trips(const arcos::Bytes& data) {
     arcos::PacketFinder finder;
     const auto found = finder.feed(arcos::encode(*command));
     CARAVAN_ASSERT(found.size() == 1 && arcos::decode_command(found[0]) == command);
+  }
+  if (const auto settings = arcos::decode_settings(data)) {
+    const arcos::Bytes again = arcos::encode(*settings);
+    CARAVAN_ASSERT(again.size() <= data.size() && std::equal(again.begin(), again.end(), data.begin()));
   }
   if (const auto names = arcos::decode_names(data)) {
     CARAVAN_ASSERT(arcos::decode_names(arcos::encode(*names)) == names);

@@ -62,7 +62,7 @@ TEST_F(AgentGroup, HasTheTopicsOfItsRobotsOnOneParticipant) {
   std::set<std::string> expected;
   for (const std::string robot : {"1", "3", "4"}) {
     for (const std::string topic : {"command", "radio/tx", "telemetry"}) {
-      expected.insert("rt/robot_" + robot + "/" + topic);
+      expected.insert(std::string{"rt/robot_"}.append(robot).append("/").append(topic));
     }
   }
   EXPECT_EQ(written, expected);

@@ -21,6 +21,7 @@ enum class Order : std::uint8_t {
   kSetOrigin = 7,        ///< odometry to zero
   kSpeed = 11,           ///< mm/s, straight
   kHeading = 12,         ///< degrees, of the odometry
+  kConfig = 18,          ///< asks for the robot's Settings
   kTurnRate = 21,        ///< degrees a second, counter-clockwise
   kSonar = 28,
   kStop = 29,

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "hardware_bridge/core/arcos/fields.hpp"
+
 namespace caravan::bridge::arcos {
 namespace {
 
@@ -10,52 +12,6 @@ constexpr std::uint8_t kStoppedType = 0x32;
 constexpr std::uint8_t kMovingType = 0x33;
 constexpr std::uint8_t kThirdSync = 2;
 constexpr std::size_t kMostSonars = 32;
-
-/// Takes little-endian fields from the front of the data; asks nothing beyond its end.
-class FieldReader {
- public:
-  explicit FieldReader(std::span<const std::uint8_t> data) : data_{data} {}
-
-  template <typename Field>
-  bool read(Field& field) {
-    if (data_.size() < sizeof(Field)) return false;
-    unsigned value = data_[0];
-    if constexpr (sizeof(Field) == 2) value |= static_cast<unsigned>(data_[1]) << 8U;
-    field = static_cast<Field>(value);
-    data_ = data_.subspan(sizeof(Field));
-    return true;
-  }
-  /// The optional tail: once a field is not whole, none follows.
-  template <typename Field>
-  bool read(std::optional<Field>& field) {
-    Field value{};
-    if (!read(value)) return false;
-    field = value;
-    return true;
-  }
-
- private:
-  std::span<const std::uint8_t> data_;
-};
-
-class FieldWriter {
- public:
-  template <typename Field>
-  void write(Field field) {
-    const auto value = static_cast<unsigned>(field);
-    bytes_.push_back(static_cast<std::uint8_t>(value & 0xffU));
-    if constexpr (sizeof(Field) == 2) bytes_.push_back(static_cast<std::uint8_t>((value >> 8U) & 0xffU));
-  }
-  template <typename Field>
-  bool write(const std::optional<Field>& field) {
-    if (field) write(*field);
-    return field.has_value();
-  }
-  [[nodiscard]] Bytes take() { return std::move(bytes_); }
-
- private:
-  Bytes bytes_;
-};
 
 bool read_head(FieldReader& in, Sip& sip) {
   return in.read(sip.x) && in.read(sip.y) && in.read(sip.heading) && in.read(sip.left_mmps) &&
@@ -115,25 +71,20 @@ Bytes encode(const Sip& sip) {
 }
 
 Bytes encode(const Names& names) {
-  Bytes data{kThirdSync};
-  for (const std::string* name : {&names.name, &names.type, &names.subtype}) {
-    data.insert(data.end(), name->begin(), name->end());
-    data.push_back(0);
-  }
-  return data;
+  FieldWriter out;
+  out.write(kThirdSync);
+  out.write(names.name);
+  out.write(names.type);
+  out.write(names.subtype);
+  return out.take();
 }
 
 std::optional<Names> decode_names(std::span<const std::uint8_t> data) {
-  if (data.empty() || data[0] != kThirdSync) return std::nullopt;
+  FieldReader in{data};
+  std::uint8_t number = 0;
   Names names;
-  std::size_t at = 1;
-  for (std::string* name : {&names.name, &names.type, &names.subtype}) {
-    const auto rest = data.subspan(at);
-    const auto end = std::find(rest.begin(), rest.end(), 0);
-    if (end == rest.end()) return std::nullopt;
-    name->assign(rest.begin(), end);
-    at += name->size() + 1;
-  }
+  if (!in.read(number) || number != kThirdSync) return std::nullopt;
+  if (!in.read(names.name) || !in.read(names.type) || !in.read(names.subtype)) return std::nullopt;
   return names;
 }
 

@@ -65,6 +65,8 @@ std::vector<arcos::Sip> RobotLink::receive(std::span<const std::uint8_t> bytes, 
       notices_.push_back({Notice::Weight::kInfo,
                           "robot connected: " + names_->name + ", " + names_->type + " " + names_->subtype});
       sips.push_back(std::move(*sip));
+    } else if (const auto settings = arcos::decode_settings(data)) {
+      hear_settings(*settings);
     } else if (auto* running = std::get_if<Running>(&state_); running != nullptr && sip) {
       running->heard = now;
       sips.push_back(std::move(*sip));
@@ -102,7 +104,18 @@ void RobotLink::open(Time now) {
   put(arcos::encode(Order::kSetMaxSpeed, in_mm(config_.speed_limit_mps)));
   put(arcos::encode(Order::kEnable, 1));
   put(arcos::encode(Order::kSonar, 1));
+  put(arcos::encode(Order::kConfig, 1));
   state_ = Opening{now + kOpenPatience};
+}
+
+void RobotLink::hear_settings(const arcos::Settings& settings) {
+  const Time watchdog = std::chrono::milliseconds{settings.watchdog_ms};
+  if (settings.watchdog_ms != 0 && watchdog <= config_.slowest_watchdog) return;
+  const std::string stop = settings.watchdog_ms == 0 ? "its own watchdog is off: it never stops"
+                                                     : "its own watchdog stops it after " +
+                                                           std::to_string(watchdog / 1ms) + " ms only";
+  notices_.push_back(
+      {Notice::Weight::kWarning, "if the robot's cable is cut, " + stop + "; set it to 300 ms in the robot"});
 }
 
 void RobotLink::tick(Time now) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hardware_bridge/core/arcos/command.hpp"
+#include "hardware_bridge/core/arcos/settings.hpp"
 #include "hardware_bridge/core/arcos/sip.hpp"
 #include "hardware_bridge/core/host/notice.hpp"
 #include "hardware_bridge/core/values.hpp"
@@ -18,6 +19,8 @@ struct LinkConfig {
   double acceleration_mps2 = 2.0;  ///< what the robot is told to take for starting and braking
   double speed_limit_mps = 1.6;
   Time silence = std::chrono::milliseconds{400};  ///< without a SIP for so long, the robot is silent
+  /// A robot whose own watchdog is slower is told of: nothing else stops it when its cable is cut.
+  Time slowest_watchdog = std::chrono::milliseconds{600};
 };
 
 /// The host's end of an ARCOS connection, over a line that somebody else opens, reads and writes.
@@ -88,6 +91,7 @@ class RobotLink {
   void synchronise(Time now, unsigned attempts);
   void hear_sync(Synchronising& state, const arcos::Bytes& data, Time now);
   void open(Time now);
+  void hear_settings(const arcos::Settings& settings);
   void line_anew(const std::string& why);
   void put(const arcos::Bytes& packet) { output_.insert(output_.end(), packet.begin(), packet.end()); }
   void put(arcos::Order order) { put(arcos::encode(order)); }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kArray = kSonarCount / 2;
 constexpr std::uint8_t kThirdSync = 2;
+constexpr const char* kRobotType = "Pioneer";
 
 std::uint16_t in_mm(double range_m) {
   if (!(range_m >= 0.0)) return 0;
@@ -110,6 +111,8 @@ void Microcontroller::obey_number(Order order, const arcos::Command& command) {
     case Order::kSonar:
       sonar_on_ = argument != 0;
       break;
+    case Order::kConfig:
+      return send(arcos::encode(settings()));
     case Order::kGripper:
       if (argument == arcos::kGripperOpens || argument == arcos::kGripperCloses) {
         gripper_closed_ = argument == arcos::kGripperCloses;
@@ -123,10 +126,24 @@ void Microcontroller::obey_number(Order order, const arcos::Command& command) {
 void Microcontroller::answer_sync(std::uint8_t number) {
   synchronised_ = number == kThirdSync;
   if (synchronised_) {
-    send(arcos::encode(arcos::Names{config_.name, "Pioneer", config_.subtype}));
+    send(arcos::encode(arcos::Names{config_.name, kRobotType, config_.subtype}));
   } else {
     send(std::array{number});
   }
+}
+
+arcos::Settings Microcontroller::settings() const {
+  return {.type = kRobotType,
+          .subtype = config_.subtype,
+          .serial_number = "0",
+          .top_turn_degps = WheelRamp::kTopTurn_degps,
+          .top_speed_mmps = WheelRamp::kTopSpeed_mmps,
+          .name = config_.name,
+          .sip_period_ms = static_cast<std::uint8_t>(config_.sip_period / std::chrono::milliseconds{1}),
+          .gripper = 1,
+          .front_sonar = 1,
+          .rear_sonar = 1,
+          .watchdog_ms = static_cast<std::uint16_t>(config_.watchdog / std::chrono::milliseconds{1})};
 }
 
 void Microcontroller::send(std::span<const std::uint8_t> data) {

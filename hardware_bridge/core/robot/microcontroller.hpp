@@ -8,6 +8,7 @@
 
 #include "hardware_bridge/core/arcos/command.hpp"
 #include "hardware_bridge/core/arcos/odometry.hpp"
+#include "hardware_bridge/core/arcos/settings.hpp"
 #include "hardware_bridge/core/arcos/sip.hpp"
 #include "hardware_bridge/core/pose/arena_projection.hpp"
 #include "hardware_bridge/core/robot/dead_reckoning.hpp"
@@ -82,6 +83,7 @@ class Microcontroller {
   void obey(const arcos::Command& command, Time now);
   void obey_number(arcos::Order order, const arcos::Command& command);
   void answer_sync(std::uint8_t number);
+  [[nodiscard]] arcos::Settings settings() const;
   void send(std::span<const std::uint8_t> data);
   void send_sip(Time now);
   void fire_sonars(Time now);

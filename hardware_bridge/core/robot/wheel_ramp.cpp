@@ -6,8 +6,8 @@
 namespace caravan::bridge {
 namespace {
 
-constexpr double kBodyLimit_mps = 2.2;
-constexpr double kTurnLimit_radps = 500.0 * std::numbers::pi / 180.0;
+constexpr double kBodyLimit_mps = 0.001 * WheelRamp::kTopSpeed_mmps;
+constexpr double kTurnLimit_radps = WheelRamp::kTopTurn_degps * std::numbers::pi / 180.0;
 constexpr double kHeadingGain = 2.0;  // rad/s for each radian off
 constexpr double kHeadingTurn_radps = 1.0;
 constexpr double kStallsAbove_mps = 0.05;

@@ -11,6 +11,9 @@ namespace caravan::bridge {
 /// Wheel speeds on their way to what the host asked for, and wheels that stall.
 class WheelRamp {
  public:
+  static constexpr int kTopSpeed_mmps = 2200;
+  static constexpr int kTopTurn_degps = 500;
+
   explicit WheelRamp(double track_m) : track_m_{track_m} {}
 
   void set_acceleration(int mmps2);  ///< below 0: deceleration

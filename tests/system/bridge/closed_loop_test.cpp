@@ -13,34 +13,13 @@ namespace {
 namespace msg = caravan_interfaces::msg;
 using namespace std::chrono_literals;
 
-class ClosedLoop : public Field {
- protected:
-  /// Robot `number` with everything that stands behind it.
-  struct Bridged {
-    Robot robot;
-    std::unique_ptr<Program> bridge;
-    std::unique_ptr<Program> agent;
-  };
-  [[nodiscard]] Bridged start_bridged(std::uint32_t number) const {
-    const std::string name = std::to_string(number);
-    Bridged made;
-    made.robot = start_robot(number);
-    made.bridge = start("pioneer_bridge",
-                        {"--robot", name, "--port", "tcp:127.0.0.1:" + std::to_string(made.robot.port),
-                         "--gps", "tcp:127.0.0.1:" + std::to_string(made.robot.gps_port)});
-    made.agent = start_agent(number);
-    return made;
-  }
-  [[nodiscard]] std::unique_ptr<Program> start_agent(std::uint32_t number) const {
-    return start("robot_agent", {"--robot", std::to_string(number)});
-  }
-};
+using ClosedLoop = Field;
 
 TEST_F(ClosedLoop, AnUnmodifiedAgentDeliversAnItemThroughAPioneersBytes) {
   const auto world = start_world(room(1, 1), "1");
   const auto radio = start("radio_emulator", {"--bodies", "1"});
   const Truth truth{bus()};
-  const Bridged one = start_bridged(1);
+  const BridgedRobot one = start_bridged(1);
   EXPECT_TRUE(eventually([&] { return truth.items_delivered() == 1; }, 280s))
       << world->output() << one.robot.process->output() << one.bridge->output() << one.agent->output();
   std::cout << "delivered after " << std::chrono::duration<double>(truth.now()).count() << " s\n";
@@ -52,7 +31,7 @@ TEST_F(ClosedLoop, AMixedFleetExchangesPathsByRadio) {
   const Truth truth{bus()};
   const Collector<msg::TelemetryPubSubType> telemetry_1{bus(), idl::kTelemetry, 1};
   const Collector<msg::TelemetryPubSubType> telemetry_2{bus(), idl::kTelemetry, 2};
-  const Bridged one = start_bridged(1);
+  const BridgedRobot one = start_bridged(1);
   const auto other = start_agent(2);
   const auto exchanged = [](const auto& telemetry, std::uint32_t partner) {
     for (const msg::Telemetry& sample : telemetry.samples()) {

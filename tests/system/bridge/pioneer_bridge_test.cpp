@@ -88,6 +88,16 @@ TEST_F(PioneerBridge, APulledCableStopsTheRobotAndPutBackItGoesOn) {
   EXPECT_TRUE(truth_.drives(1)) << bridge_->output();
 }
 
+TEST_F(PioneerBridge, ACableThatIsCutUnnoticedStopsTheRobotByItsOwnWatchdog) {
+  drive(tcp(cable_->port()));
+  const auto since = truth_.now();
+  cable_->set(Cable::State::kFrozen);
+  EXPECT_TRUE(bridge_->prints("robot silent: wheels told to stop", kPatience)) << bridge_->output();
+  expect_rest(since);
+  cable_->set(Cable::State::kWhole);
+  EXPECT_TRUE(truth_.drives(1)) << bridge_->output();
+}
+
 TEST_F(PioneerBridge, ARobotThatIsSwitchedOffAndOnIsFoundAgain) {
   drive(tcp(cable_->port()));
   const auto since = truth_.now();

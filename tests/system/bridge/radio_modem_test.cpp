@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two robots' radio topics behind modems that share an air by UDP on this machine.
+// Two robots' radio topics behind modems: that share an air by UDP on this machine, or on serial ports.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
+#include <filesystem>
 #include <thread>
 
 #include "tests/system/bridge/support/field.hpp"
@@ -46,11 +48,12 @@ msg::RadioTransmit transmission(std::uint32_t tuned, std::uint32_t channel, std:
 
 class RadioModemProcess : public Field {
  protected:
-  void SetUp() override {
+  /// A modem for each of two robots.
+  void start_modems(const std::array<std::string, 2>& addresses) {
     write_file(scenario_file(), room(2, 0) + "[radio]\nmtu_bytes = 32\nchannel_count = 126\n");
-    const std::string air = "udp:" + std::to_string(free_udp_port());
-    for (const std::string robot : {"1", "2"}) {
-      modems_.push_back(start("radio_modem_bridge", {"--robot", robot, "--modem", air}));
+    for (const std::size_t i : {0U, 1U}) {
+      modems_.push_back(
+          start("radio_modem_bridge", {"--robot", std::to_string(i + 1), "--modem", addresses.at(i)}));
       ASSERT_TRUE(modems_.back()->prints("modem ready: mtu=32", kPatience)) << modems_.back()->output();
     }
     for (const std::uint32_t robot : {1U, 2U}) {
@@ -78,18 +81,47 @@ class RadioModemProcess : public Field {
         patience);
   }
 
+  void expect_frames_of_the_tuned_channel_up_to_the_mtu() {
+    EXPECT_TRUE(robot_2_hears(std::vector<std::uint8_t>(32, 5), 0, 0, kPatience)) << modems_[0]->output();
+    EXPECT_TRUE(robot_2_hears({1, 2, 3}, 9, 9, kPatience)) << "after both have changed to it";
+    EXPECT_FALSE(robot_2_hears({4, 4, 4}, 9, 8, 1s)) << "another channel";
+    EXPECT_FALSE(robot_2_hears(std::vector<std::uint8_t>(33, 6), 0, 0, 1s)) << "over the MTU";
+    EXPECT_THAT(modems_[0]->output(), HasSubstr("over the MTU"));
+  }
+
   std::vector<std::unique_ptr<Program>> modems_;
   Collector<msg::RadioReceivePubSubType> heard_{bus(), idl::kRadioReceive, 2};
   runtime::Bus bus_{bus()};
   std::vector<runtime::Writer<msg::RadioTransmitPubSubType>> transmits_;
 };
 
-TEST_F(RadioModemProcess, CarriesFramesOfTheTunedChannelUpToTheMtu) {
-  EXPECT_TRUE(robot_2_hears(std::vector<std::uint8_t>(32, 5), 0, 0, kPatience)) << modems_[0]->output();
-  EXPECT_TRUE(robot_2_hears({1, 2, 3}, 9, 9, kPatience)) << "after both have changed to it";
-  EXPECT_FALSE(robot_2_hears({4, 4, 4}, 9, 8, 1s)) << "another channel";
-  EXPECT_FALSE(robot_2_hears(std::vector<std::uint8_t>(33, 6), 0, 0, 1s)) << "over the MTU";
-  EXPECT_THAT(modems_[0]->output(), HasSubstr("over the MTU"));
+TEST_F(RadioModemProcess, CarriesFramesByUdp) {
+  const std::string air = "udp:" + std::to_string(free_udp_port());
+  start_modems({air, air});
+  expect_frames_of_the_tuned_channel_up_to_the_mtu();
+}
+
+// Two serial ports joined to one another: a pair of transparent radio modules.
+TEST_F(RadioModemProcess, CarriesFramesBySerialPortsAlsoAfterTheyWereUnplugged) {
+  const std::array<std::string, 2> ports{folder_ / "ttyRadio1", folder_ / "ttyRadio2"};
+  const auto plugged_in = [&](const std::string& log) {
+    auto socat = std::make_unique<deploy::Process>(
+        std::vector<std::string>{"/usr/bin/socat", "pty,raw,echo=0,link=" + ports[0],
+                                 "pty,raw,echo=0,link=" + ports[1]},
+        folder_ / log);
+    EXPECT_TRUE(eventually(
+        [&] { return std::filesystem::exists(ports[0]) && std::filesystem::exists(ports[1]); }, kPatience))
+        << socat->output();
+    return socat;
+  };
+  auto modules = plugged_in("modules_1.log");
+  start_modems(ports);
+  expect_frames_of_the_tuned_channel_up_to_the_mtu();
+  modules.reset();
+  for (const auto& modem : modems_) EXPECT_TRUE(modem->prints("trying again", kPatience)) << modem->output();
+  for (const std::string& port : ports) std::filesystem::remove(port);
+  modules = plugged_in("modules_2.log");
+  EXPECT_TRUE(robot_2_hears({7, 8, 9}, 9, 9, kPatience)) << modems_[0]->output() << modems_[1]->output();
 }
 
 }  // namespace

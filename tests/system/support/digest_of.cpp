@@ -8,9 +8,10 @@
 
 namespace caravan::test {
 
-void PrintTo(const Placement& placement, std::ostream* out) {
-  *out << "caravan run";
-  for (const std::string& option : placement.options) *out << ' ' << option;
+std::ostream& operator<<(std::ostream& out, const Placement& placement) {
+  out << "caravan run";
+  for (const std::string& option : placement.options) out << ' ' << option;
+  return out;
 }
 
 std::string digest_of(const std::string& scenario_name, const std::vector<std::string>& placement,

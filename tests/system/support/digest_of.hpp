@@ -16,7 +16,7 @@ struct Placement {
   int repetitions = 1;
 };
 
-void PrintTo(const Placement& placement, std::ostream* out);
+std::ostream& operator<<(std::ostream& out, const Placement& placement);
 
 inline const std::vector<std::string> kEmbedded{"--engine", "embedded"};
 

@@ -38,7 +38,8 @@ RobotConfig robot_config() {
 
 class Loop : public ::testing::Test {
  protected:
-  explicit Loop(const BridgeConfig& config = bridge_config()) : bridge_{config} {}
+  explicit Loop(const BridgeConfig& config = bridge_config(), const RobotConfig& robot = robot_config())
+      : bridge_{config}, robot_{robot} {}
 
   void connect() {
     robot_.connected(now_);
@@ -93,7 +94,7 @@ class Loop : public ::testing::Test {
   }
 
   Bridge bridge_;
-  Microcontroller robot_{robot_config()};
+  Microcontroller robot_;
   GpsReceiver gps_{kArena};
   Time now_{0};
   BodySenses senses_;
@@ -112,6 +113,7 @@ class Loop : public ::testing::Test {
 
 class DrivingLoop : public Loop {
  protected:
+  explicit DrivingLoop(const RobotConfig& robot = robot_config()) : Loop{bridge_config(), robot} {}
   void SetUp() override {
     connect();
     wish_ = {0.5, 0.5, false};
@@ -204,6 +206,34 @@ TEST_F(DrivingLoop, ACableThatIsPulledAndPutBackNeedsNoRestart) {
   bridge_.robot_up(now_);
   run(3s);
   EXPECT_TRUE(moves_);
+}
+
+TEST_F(DrivingLoop, ARobotAsDeliveredStopsTooLateWhenItsCableIsCutAndThatIsSaid) {
+  EXPECT_THAT(told_, HasSubstr("its own watchdog stops it after 2000 ms only; set it to 300 ms"));
+}
+
+/// With the watchdog as docs/bring_your_robot.md wants it.
+class LoopWithQuickWatchdog : public DrivingLoop {
+ protected:
+  LoopWithQuickWatchdog()
+      : DrivingLoop{[] {
+          RobotConfig config = robot_config();
+          config.watchdog = 300ms;
+          return config;
+        }()} {}
+};
+
+TEST_F(LoopWithQuickWatchdog, ACableThatIsCutUnnoticedStopsTheWheelsWithin600Milliseconds) {
+  EXPECT_THAT(told_, Not(HasSubstr("watchdog")));
+  line_whole_ = false;
+  EXPECT_LE(rest_after(5s), 600ms);
+  EXPECT_THAT(told_, HasSubstr("robot silent: wheels told to stop"));
+  run(3s);
+  line_whole_ = true;
+  robot_.connected(now_);
+  bridge_.robot_up(now_);
+  run(3s);
+  EXPECT_TRUE(moves_) << "recovers without restart";
 }
 
 TEST_F(DrivingLoop, ARobotThatIsSwitchedOffAndOnIsFoundAgain) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hardware_bridge/core/arcos/command.hpp"
+#include "hardware_bridge/core/arcos/settings.hpp"
 #include "hardware_bridge/core/arcos/sip.hpp"
 #include "runtime/pure/random.hpp"
 
@@ -186,6 +187,28 @@ TEST(ArcosNames, ComeBackFromTheAnswerToTheThirdSync) {
   EXPECT_EQ(decode_names(encode(names)), names);
   EXPECT_EQ(decode_names(Bytes{2, 'F', 'r', 'e', 'd'}), std::nullopt);
   EXPECT_EQ(decode_names(Bytes{1}), std::nullopt);
+}
+
+TEST(ArcosSettings, HaveTheWatchdogBehindTheirNamesAndComeBackFromTheirBytes) {
+  const Settings settings{.type = "Pioneer",
+                          .subtype = "p3dx",
+                          .serial_number = "77",
+                          .top_speed_mmps = 2200,
+                          .name = "Fred",
+                          .sip_period_ms = 100,
+                          .low_battery_dv = 115,
+                          .watchdog_ms = 2000};
+  Bytes data = encode(settings);
+  EXPECT_EQ(data[0], 0x20);
+  const std::size_t names = std::string{"Pioneer"}.size() + std::string{"p3dx"}.size() + 2 + 4 + 4;
+  const std::size_t before = 1 + names + 1 + 5 * 2 + 3 + 2 * 2 + 1 + 2 * 2;
+  EXPECT_EQ(data.size(), before + 2);
+  EXPECT_EQ(data[before] | data[before + 1] << 8, 2000);
+  for (std::size_t size = 0; size < data.size(); ++size) {
+    EXPECT_EQ(decode_settings(std::span{data.data(), size}), std::nullopt) << size;
+  }
+  data.insert(data.end(), {1, 2, 3});
+  EXPECT_EQ(decode_settings(data), settings) << "what follows is not ours";
 }
 
 TEST(ArcosProperty, AnyBytesBetweenPacketsLoseNoneOfThem) {

@@ -74,6 +74,19 @@ TEST_F(Robot, EchoesSyncsAndNamesItself) {
   EXPECT_THAT(sips_, Not(IsEmpty()));
 }
 
+TEST_F(Robot, TellsHowItIsSetUpWhenItIsAsked) {
+  open();
+  say(encode(Order::kConfig, 1));
+  std::optional<arcos::Settings> settings;
+  for (const Bytes& data : packets_.feed(robot_.take_output())) {
+    if (auto found = arcos::decode_settings(data)) settings = found;
+  }
+  ASSERT_TRUE(settings);
+  EXPECT_EQ(settings->subtype, "p3dx");
+  EXPECT_EQ(settings->watchdog_ms, 2000);
+  EXPECT_EQ(settings->sip_period_ms, 100);
+}
+
 TEST_F(Robot, SendsASipEvery100Milliseconds) {
   open();
   run(2s);

@@ -51,8 +51,8 @@ TEST(RobotLink, OpensByThreeSyncsEachAnswered) {
   (void)link.receive(kEcho1, 20ms);
   EXPECT_EQ(link.take_output(), encode(Order::kClose)) << "SYNC2 is the same packet";
   (void)link.receive(names(), 30ms);
-  EXPECT_THAT(numbers_in(link.take_output()), testing::ElementsAre(1, 29, 5, 5, 6, 4, 28))
-      << "OPEN, then motors and sonar on";
+  EXPECT_THAT(numbers_in(link.take_output()), testing::ElementsAre(1, 29, 5, 5, 6, 4, 28, 18))
+      << "OPEN, then motors and sonar on, and the question how it is set up";
   EXPECT_EQ(link.names()->subtype, "p3dx");
   EXPECT_FALSE(link.is_running());
   EXPECT_THAT(link.receive(sip(), 40ms), SizeIs(1));
@@ -95,6 +95,20 @@ TEST(RobotLink, WithoutAnswerTriesThreeTimesThenWantsTheLineAnew) {
   EXPECT_EQ(now, 1200ms);
   EXPECT_FALSE(link.take_reopen()) << "once";
   EXPECT_THAT(link.take_notices().back().text, HasSubstr("no robot answers"));
+}
+
+TEST(RobotLink, TellsOfAWatchdogThatIsTooSlowToStopARobotWithACutCable) {
+  const auto told = [](std::uint16_t watchdog_ms) {
+    RobotLink link = running_link(0s);
+    arcos::Settings settings;
+    settings.watchdog_ms = watchdog_ms;
+    (void)link.receive(to_packet(encode(settings)), 10ms);
+    const auto notices = link.take_notices();
+    return notices.empty() ? std::string{} : notices.front().text;
+  };
+  EXPECT_THAT(told(2000), HasSubstr("after 2000 ms only"));
+  EXPECT_THAT(told(0), HasSubstr("is off"));
+  EXPECT_THAT(told(600), IsEmpty());
 }
 
 TEST(RobotLink, SendsAPulseAtLeastOnceASecond) {

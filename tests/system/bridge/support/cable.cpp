@@ -33,31 +33,44 @@ Cable::~Cable() {
 }
 
 void Cable::run() {
-  std::optional<Ends> ends;
+  Ends ends;
   while (!ending_) {
-    if (ends && state_ != State::kPulled) {
-      carry(*ends);
-      if (ends->bridge.descriptor() < 0) ends.reset();
-      continue;
+    if (state_ == State::kPulled) ends = Ends{};
+    if (ends.bridge.descriptor() >= 0) {
+      carry(ends);
+    } else {
+      plug_in(ends);
     }
-    ends.reset();
-    pollfd watched{listener_.descriptor(), POLLIN, 0};
-    if (poll(&watched, 1, 20) <= 0) continue;
-    Socket bridge{accept4(listener_.descriptor(), nullptr, nullptr, SOCK_CLOEXEC)};
-    if (state_ == State::kPulled) continue;
-    auto device = Socket::to(device_);
-    if (device) ends = Ends{std::move(bridge), std::move(*device)};
   }
 }
 
-void Cable::carry(Ends& ends) {
+void Cable::plug_in(Ends& ends) const {
+  pollfd watched{listener_.descriptor(), POLLIN, 0};
+  if (poll(&watched, 1, 20) <= 0) return;
+  Socket bridge{accept4(listener_.descriptor(), nullptr, nullptr, SOCK_CLOEXEC)};
+  if (state_ == State::kPulled) return;
+  if (ends.device.descriptor() >= 0) {
+    (void)ends.device.read(0ms);  // what it has said meanwhile is lost
+  } else if (auto device = Socket::to(device_)) {
+    ends.device = std::move(*device);
+  } else {
+    return;
+  }
+  ends.bridge = std::move(bridge);
+}
+
+void Cable::carry(Ends& ends) const {
   std::array<pollfd, 2> watched{
       {{ends.bridge.descriptor(), POLLIN, 0}, {ends.device.descriptor(), POLLIN, 0}}};
   if (poll(watched.data(), watched.size(), 20) <= 0) return;
-  bool whole = true;
-  if (watched[0].revents != 0) whole = pass(ends.bridge, ends.device, false);
-  if (whole && watched[1].revents != 0) whole = pass(ends.device, ends.bridge, true);
-  if (!whole) ends = Ends{Socket{-1}, Socket{-1}};
+  if (watched[1].revents != 0 && !pass(ends.device, ends.bridge, true)) {
+    ends = Ends{};
+  } else if (watched[0].revents != 0 && !pass(ends.bridge, ends.device, false)) {
+    ends.bridge = Socket{-1};
+    // As on a serial line: who stands behind a cut does not see that the other end is closed.
+    const State state = state_;
+    if (state != State::kFrozen && state != State::kGarbled) ends.device = Socket{-1};
+  }
 }
 
 bool Cable::pass(const Socket& from, const Socket& to, bool to_bridge) const {

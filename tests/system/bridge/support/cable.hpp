@@ -27,19 +27,20 @@ class Cable {
   enum class State : std::uint8_t {
     kWhole,
     kPulled,   ///< both ends see the connection end, none is made
-    kFrozen,   ///< nothing comes through, nobody is told
-    kGarbled,  ///< every byte is another one
+    kFrozen,   ///< nothing comes through, nobody is told, not even that an end is closed
+    kGarbled,  ///< every byte is another one; the same
     kNoisy     ///< whole, with random bytes between what the device says
   };
   void set(State state) { state_ = state; }
 
  private:
   struct Ends {
-    Socket bridge;
-    Socket device;
+    Socket bridge{-1};
+    Socket device{-1};
   };
   void run();
-  void carry(Ends& ends);
+  void plug_in(Ends& ends) const;
+  void carry(Ends& ends) const;
   [[nodiscard]] bool pass(const Socket& from, const Socket& to, bool to_bridge) const;
 
   std::uint16_t device_;

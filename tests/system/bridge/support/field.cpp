@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <cmath>
+#include <ranges>
 
 namespace caravan::test {
 namespace {
@@ -64,6 +65,20 @@ Field::Robot Field::start_robot(std::uint32_t number, const Robot* again) const 
   return robot;
 }
 
+std::unique_ptr<Program> Field::start_agent(std::uint32_t number) const {
+  return start("robot_agent", {"--robot", std::to_string(number)});
+}
+
+Field::BridgedRobot Field::start_bridged(std::uint32_t number) const {
+  BridgedRobot made;
+  made.robot = start_robot(number);
+  made.bridge = start("pioneer_bridge", {"--robot", std::to_string(number), "--port",
+                                         "tcp:127.0.0.1:" + std::to_string(made.robot.port), "--gps",
+                                         "tcp:127.0.0.1:" + std::to_string(made.robot.gps_port)});
+  made.agent = start_agent(number);
+  return made;
+}
+
 std::optional<caravan_interfaces::msg::RobotTruth> Truth::of(std::uint32_t robot) const {
   const auto samples = truths_.samples();
   if (samples.empty()) return std::nullopt;
@@ -97,10 +112,11 @@ std::optional<double> Truth::moved_m(std::uint32_t robot, std::chrono::nanosecon
   const auto samples = truths_.samples();
   if (samples.empty()) return std::nullopt;
   const auto& now = samples.back();
-  for (auto one = samples.rbegin(); one != samples.rend(); ++one) {
-    if (idl::to_time(now.stamp()) - idl::to_time(one->stamp()) < span) continue;
-    return std::hypot(now.robots().at(robot - 1).x_m() - one->robots().at(robot - 1).x_m(),
-                      now.robots().at(robot - 1).y_m() - one->robots().at(robot - 1).y_m());
+  const auto& here = now.robots().at(robot - 1);
+  for (const auto& then : std::ranges::reverse_view(samples)) {
+    if (idl::to_time(now.stamp()) - idl::to_time(then.stamp()) < span) continue;
+    const auto& there = then.robots().at(robot - 1);
+    return std::hypot(here.x_m() - there.x_m(), here.y_m() - there.y_m());
   }
   return std::nullopt;
 }

@@ -41,6 +41,18 @@ class Field : public ::testing::Test {
   /// @param again  where it listened before it was killed
   [[nodiscard]] Robot start_robot(std::uint32_t number, const Robot* again = nullptr) const;
 
+  [[nodiscard]] std::unique_ptr<Program> start_agent(std::uint32_t number) const;
+  /// An emulated Pioneer with all that stands behind it, by TCP.
+  struct BridgedRobot {
+    Robot robot;
+    std::unique_ptr<Program> bridge;
+    std::unique_ptr<Program> agent;
+    [[nodiscard]] std::string output() const {
+      return robot.process->output() + bridge->output() + agent->output();
+    }
+  };
+  [[nodiscard]] BridgedRobot start_bridged(std::uint32_t number) const;
+
   /// At once, as by kill -9; what it leaves in shared memory goes with the test.
   void kill_at_once(Process& process);
 
