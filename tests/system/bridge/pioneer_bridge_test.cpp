@@ -25,7 +25,7 @@ std::string tcp(std::uint16_t port) { return "tcp:127.0.0.1:" + std::to_string(p
 class PioneerBridge : public Field {
  protected:
   void SetUp() override {
-    world_ = start_world(room(1, 0), "1");
+    world_ = start_world(scenario_, "1");
     robot_ = start_robot(1);
     ASSERT_TRUE(truth_.is_there()) << world_->output() << robot_.process->output();
     cable_.emplace(robot_.port);
@@ -47,6 +47,7 @@ class PioneerBridge : public Field {
               << " s\n";
   }
 
+  std::string scenario_ = room(1, 0);
   std::unique_ptr<Program> world_;
   Robot robot_;
   Truth truth_{bus()};
@@ -54,6 +55,13 @@ class PioneerBridge : public Field {
   std::optional<Cable> gps_cable_;
   std::optional<PlayedAgent> agent_;
   std::unique_ptr<Program> bridge_;
+};
+
+/// As delivered a Pioneer is stopped by its watchdog after 2 s: too late to be of use, but it never hides
+/// that the bridge did not stop it either.
+class PioneerBridgeWithQuickWatchdog : public PioneerBridge {
+ protected:
+  PioneerBridgeWithQuickWatchdog() { scenario_ += "watchdog_s = 0.3\n"; }
 };
 
 TEST_F(PioneerBridge, MakesAPioneerOneOfTheSwarm) {
@@ -88,7 +96,7 @@ TEST_F(PioneerBridge, APulledCableStopsTheRobotAndPutBackItGoesOn) {
   EXPECT_TRUE(truth_.drives(1)) << bridge_->output();
 }
 
-TEST_F(PioneerBridge, ACableThatIsCutUnnoticedStopsTheRobotByItsOwnWatchdog) {
+TEST_F(PioneerBridgeWithQuickWatchdog, ACableThatIsCutUnnoticedStopsTheRobotByItsOwnWatchdog) {
   drive(tcp(cable_->port()));
   const auto since = truth_.now();
   cable_->set(Cable::State::kFrozen);
@@ -114,7 +122,7 @@ TEST_F(PioneerBridge, NoiseBetweenThePacketsDoesNotMatter) {
   EXPECT_TRUE(truth_.drives(1)) << bridge_->output();
 }
 
-TEST_F(PioneerBridge, NothingButGarbageStopsTheRobotUntilTheLineIsGoodAgain) {
+TEST_F(PioneerBridgeWithQuickWatchdog, NothingButGarbageStopsTheRobotUntilTheLineIsGoodAgain) {
   drive(tcp(cable_->port()));
   const auto since = truth_.now();
   cable_->set(Cable::State::kGarbled);

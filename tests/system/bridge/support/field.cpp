@@ -27,7 +27,7 @@ std::string room(std::uint32_t robots, std::uint32_t items) {
          "\nmax_time_s = 900.0\npacing = \"free\"\n"
          "[world]\narena_m = [8.0, 8.0]\nstart_low_m = [-2.3, -2.3]\nstart_high_m = [-0.7, -0.7]\n"
          "[bridge]\norigin_latitude_deg = 48.137\norigin_longitude_deg = 11.575\nx_axis_rad = "
-         "0.3\nwatchdog_s = 0.4\n";
+         "0.3\n";
 }
 
 Program::~Program() {
