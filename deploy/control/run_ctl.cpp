@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "deploy/control/requester.hpp"
 #include "deploy/control/words.hpp"
@@ -101,7 +102,7 @@ int run_ctl(std::uint32_t domain, runtime::Transport transport, const std::vecto
     throw runtime::StartError{"caravan ctl: unknown request, see caravan ctl --help"};
   WorldWatch world;
   Requester requester;
-  runtime::Bus bus{{.role = "ctl", .domain = domain, .lease_s = kLease_s, .transport = transport}};
+  runtime::Bus bus{{.role = "ctl", .domain = domain, .lease_s = kLease_s, .transport = std::move(transport)}};
   world.join(bus);
   requester.join(bus);
   const auto status = world.wait();

@@ -152,7 +152,7 @@ TEST(Sweep, RefusesWhatItCannotGoOnWithInOneLine) {
   const auto refusal = [&folder](std::vector<std::string> words) {
     Process process{std::move(words), folder / "refused.log"};
     EXPECT_EQ(process.wait(kPatience), 2);
-    const std::string said = process.output();
+    std::string said = process.output();
     EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
     return said;
   };

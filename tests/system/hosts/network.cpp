@@ -44,11 +44,12 @@ void Network::make_hosts(std::size_t hosts) {
                           "hostname host" + number + " && mount -t tmpfs tmpfs /dev/shm && ip link set lo up",
                           "host" + number));
     if (!hosts_.back()) return;
+    const std::string bridge_end = "to_" + number;
     Words wire = inside(*middle_, {"--net"});
     append(wire,
            {"sh", "-ec",
-            "ip link add to_" + number + " type veth peer name eth0 netns " +
-                std::to_string(hosts_.back()->pid()) + "; ip link set to_" + number + " master bridge up"});
+            "ip link add " + bridge_end + " type veth peer name eth0 netns " +
+                std::to_string(hosts_.back()->pid()) + "; ip link set " + bridge_end + " master bridge up"});
     Words address_it = inside(*hosts_.back(), {"--net"});
     append(address_it,
            {"sh", "-ec", "ip address add " + address(host) + "/24 dev eth0; ip link set eth0 up"});

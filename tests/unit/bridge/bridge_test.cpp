@@ -56,7 +56,7 @@ class Loop : public ::testing::Test {
     moves_ = drive.left_mps != 0.0 || drive.right_mps != 0.0;
     move_body(drive);
     if (robot_powered_) robot_.sense(senses_, now_);
-    gps_.sense(gps_works_ ? p_WB_ : Point{std::nan(""), 0.0}, now_);
+    gps_.sense(gps_works_ ? place_ : Point{std::nan(""), 0.0}, now_);
     const std::string lines = gps_.take_lines(now_);
     if (gps_speaks_) bridge_.gps_says(bytes_of(lines), now_);
     if (robot_powered_ && !robot_silent_) pass_to_host(robot_.take_output());
@@ -88,8 +88,8 @@ class Loop : public ::testing::Test {
     senses_.right_wheel_rad += 0.01 * drive.right_mps / kRadius_m;
     const double turned = 0.01 * (drive.right_mps - drive.left_mps) / kTrack_m;
     const double half_way = senses_.yaw_WB_rad + 0.5 * turned;
-    p_WB_.x_m += 0.005 * (drive.left_mps + drive.right_mps) * std::cos(half_way);
-    p_WB_.y_m += 0.005 * (drive.left_mps + drive.right_mps) * std::sin(half_way);
+    place_.x_m += 0.005 * (drive.left_mps + drive.right_mps) * std::cos(half_way);
+    place_.y_m += 0.005 * (drive.left_mps + drive.right_mps) * std::sin(half_way);
     senses_.yaw_WB_rad = wrapped(senses_.yaw_WB_rad + turned);
   }
 
@@ -98,7 +98,7 @@ class Loop : public ::testing::Test {
   GpsReceiver gps_{kArena};
   Time now_{0};
   BodySenses senses_;
-  Point p_WB_{3.0, -2.0};
+  Point place_{3.0, -2.0};
   Wish wish_;
   bool moves_ = false;
   bool line_whole_ = true;
@@ -135,8 +135,8 @@ TEST_F(Loop, FramesSayWhereTheRobotIsInTheArena) {
   connect();
   wish_ = {0.4, 0.5, false};
   run(20s);
-  EXPECT_NEAR(frames_.back().x_m, p_WB_.x_m, 0.1);
-  EXPECT_NEAR(frames_.back().y_m, p_WB_.y_m, 0.1);
+  EXPECT_NEAR(frames_.back().x_m, place_.x_m, 0.1);
+  EXPECT_NEAR(frames_.back().y_m, place_.y_m, 0.1);
   EXPECT_NEAR(wrapped(frames_.back().yaw_rad - senses_.yaw_WB_rad), 0.0, 0.06);
   EXPECT_NEAR(frames_.back().left_wheel_rad, senses_.left_wheel_rad, 1.0);
   EXPECT_NEAR(frames_.back().right_wheel_rad, senses_.right_wheel_rad, 1.0);
@@ -362,7 +362,7 @@ TEST_F(LoopWithoutGripper, ItIsImaginedByPosition) {
   wish_.gripper_closed = false;
   run(500ms);
   EXPECT_FALSE(frames_.back().holding);
-  p_WB_ = {30.0, 30.0};
+  place_ = {30.0, 30.0};
   run(2s);
   wish_.gripper_closed = true;
   run(500ms);
