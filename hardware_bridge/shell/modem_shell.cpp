@@ -37,32 +37,21 @@ ModemShell::ModemShell(const modem::RadioLimits& limits, std::uint32_t robot, co
       own_{own_number(robot)},
       radio_{limits},
       bus_{bus, [this](const Discovery& news) {
-             if (news.kind == Discovery::Kind::kGone) post({news.participant, std::nullopt});
+             if (news.kind == Discovery::Kind::kGone) mailbox_.post({news.participant, std::nullopt});
            }} {
   if (!address.serial) air_.emplace(address.udp_port);
   receives_ = bus_.writer<msg::RadioReceivePubSubType>(idl::kRadioReceive, robot);
   bus_.reader<msg::RadioTransmitPubSubType>(
       idl::kRadioTransmit, robot, [this](const msg::RadioTransmit& sample, const ParticipantId& sender) {
-        post({sender, sample});
+        mailbox_.post({sender, sample});
       });
   spdlog::info("robot={} modem ready: mtu={} channels={}", robot, limits.mtu_bytes, limits.channel_count);
 }
 
 ModemShell::~ModemShell() { bus_.close(); }
 
-void ModemShell::post(Mail mail) {
-  const std::lock_guard lock{mailbox_mutex_};
-  mailbox_.push_back(std::move(mail));
-  loop_.notify();
-}
-
 void ModemShell::read_mailbox() {
-  std::vector<Mail> news;
-  {
-    const std::lock_guard lock{mailbox_mutex_};
-    news.swap(mailbox_);
-  }
-  for (const Mail& mail : news) {
+  for (const Mail& mail : mailbox_.take()) {
     if (!mail.sample) {
       if (agent_ == mail.from) agent_.reset();
       continue;

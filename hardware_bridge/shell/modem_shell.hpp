@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "robotPubSubTypes.h"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
+#include "runtime/process/mailbox.hpp"
 
 namespace caravan::bridge {
 
@@ -43,7 +43,6 @@ class ModemShell {
     std::optional<caravan_interfaces::msg::RadioTransmit> sample;  ///< none: it is gone
   };
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
-  void post(Mail mail);
   void read_mailbox();
   void take(const caravan_interfaces::msg::RadioTransmit& sample);
   void keep_line_open();
@@ -67,8 +66,7 @@ class ModemShell {
   std::uint64_t session_ = 0;
   builtin_interfaces::msg::Time stamp_;
 
-  std::mutex mailbox_mutex_;
-  std::vector<Mail> mailbox_;
+  runtime::Mailbox<Mail> mailbox_{loop_};
 
   runtime::Bus bus_;  // after the state, so that no callback outlives it
   runtime::Writer<caravan_interfaces::msg::RadioReceivePubSubType> receives_;

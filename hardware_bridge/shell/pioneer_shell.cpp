@@ -38,30 +38,19 @@ PioneerShell::PioneerShell(const BridgeConfig& config, std::uint32_t robot, cons
       session_{new_session()},
       bridge_{config},
       bus_{bus, [this](const Discovery& news) {
-             if (news.kind == Discovery::Kind::kGone) post({news.participant, std::nullopt});
+             if (news.kind == Discovery::Kind::kGone) mailbox_.post({news.participant, std::nullopt});
            }} {
   sensors_ = bus_.writer<msg::SensorFramePubSubType>(idl::kSensors, robot);
   bus_.reader<msg::RobotCommandPubSubType>(
       idl::kCommand, robot, [this](const msg::RobotCommand& command, const ParticipantId& sender) {
-        post({sender, command});
+        mailbox_.post({sender, command});
       });
 }
 
 PioneerShell::~PioneerShell() { bus_.close(); }
 
-void PioneerShell::post(Mail mail) {
-  const std::lock_guard lock{mailbox_mutex_};
-  mailbox_.push_back(std::move(mail));
-  loop_.notify();
-}
-
 void PioneerShell::read_mailbox() {
-  std::vector<Mail> news;
-  {
-    const std::lock_guard lock{mailbox_mutex_};
-    news.swap(mailbox_);
-  }
-  for (const Mail& mail : news) {
+  for (const Mail& mail : mailbox_.take()) {
     if (!mail.command) {
       if (agent_ != mail.from) continue;
       spdlog::warn("the agent is gone: wheels stopped");

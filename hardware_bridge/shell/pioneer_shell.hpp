@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "robotPubSubTypes.h"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
+#include "runtime/process/mailbox.hpp"
 
 namespace caravan::bridge {
 
@@ -45,7 +45,6 @@ class PioneerShell {
   };
 
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
-  void post(Mail mail);
   void read_mailbox();
   void keep_lines_open();
   void open_robot();
@@ -75,8 +74,7 @@ class PioneerShell {
   std::optional<runtime::ParticipantId> agent_;
   std::uint64_t refused_writes_ = 0;
 
-  std::mutex mailbox_mutex_;
-  std::vector<Mail> mailbox_;
+  runtime::Mailbox<Mail> mailbox_{loop_};
 
   caravan_interfaces::msg::SensorFrame frame_;
   runtime::Bus bus_;  // after the state, so that no callback outlives it

@@ -25,10 +25,7 @@ RadioShell::RadioShell(const MediumConfig& config, const Fleet& fleet, const run
       robots_(fleet.robots),
       control_{fleet.robots},
       bus_{bus, [this](const Discovery& news) {
-             if (news.kind != Discovery::Kind::kGone) return;
-             const std::lock_guard lock{mailbox_mutex_};
-             lost_.push_back(news.participant);
-             loop_.notify();
+             if (news.kind == Discovery::Kind::kGone) mailbox_.post(news.participant);
            }} {
   for (const std::uint32_t body : fleet.bodies) robots_[body - 1].is_body = true;
   radio_steps_ = bus_.writer<msg::RadioStepPubSubType>(idl::kRadioStep);
@@ -122,12 +119,7 @@ void RadioShell::on_transmit(std::uint32_t robot, const msg::RadioTransmit& samp
 }
 
 void RadioShell::read_mailbox() {
-  std::vector<ParticipantId> lost;
-  {
-    const std::lock_guard mail{mailbox_mutex_};
-    lost.swap(lost_);
-  }
-  for (const ParticipantId& one : lost) {
+  for (const ParticipantId& one : mailbox_.take()) {
     for (Robot& robot : robots_) {
       if (robot.successor && robot.successor->who == one) robot.successor.reset();
       if (robot.owner != one) continue;

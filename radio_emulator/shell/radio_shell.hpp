@@ -14,6 +14,7 @@
 #include "robotPubSubTypes.h"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
+#include "runtime/process/mailbox.hpp"
 #include "runtime/pure/hash_chain.hpp"
 #include "runtime/trace/trace_file.hpp"
 #include "worldPubSubTypes.h"
@@ -103,8 +104,7 @@ class RadioShell {
   bool told_refused_writes_ = false;
   std::chrono::nanoseconds compute_{0};
 
-  std::mutex mailbox_mutex_;
-  std::vector<runtime::ParticipantId> lost_;
+  runtime::Mailbox<runtime::ParticipantId> mailbox_{loop_};  // who has gone
 
   runtime::Bus bus_;  // after the state, so that no callback outlives it
   runtime::Writer<caravan_interfaces::msg::RadioStepPubSubType> radio_steps_;

@@ -26,10 +26,7 @@ AgentShell::AgentShell(const std::vector<Config>& configs, const runtime::BusCon
       lease_s_{bus.lease_s},
       began_{std::chrono::steady_clock::now()},
       bus_{bus, [this](const Discovery& news) {
-             if (news.kind == Discovery::Kind::kJoined) return;
-             const std::lock_guard lock{mailbox_mutex_};
-             mailbox_.push_back(news);
-             loop_.notify();
+             if (news.kind != Discovery::Kind::kJoined) mailbox_.post(news);
            }} {
   clash_.emplace(bus_.id(), bus_.identity(),
                  std::chrono::nanoseconds{static_cast<std::int64_t>((bus.lease_s + 0.5) * 1e9)});
@@ -59,12 +56,7 @@ void AgentShell::make_readers(HostedAgent& agent) {
 }
 
 void AgentShell::read_mailbox(Wall now) {
-  std::vector<Discovery> news;
-  {
-    const std::lock_guard lock{mailbox_mutex_};
-    news.swap(mailbox_);
-  }
-  for (const Discovery& one : news) {
+  for (const Discovery& one : mailbox_.take()) {
     if (one.kind == Discovery::Kind::kGone) clash_->vanished(one.participant);
     if (one.kind != Discovery::Kind::kWriterFound) continue;
     if (const auto ours = robot_of_topic_.find(one.topic); ours != robot_of_topic_.end()) {

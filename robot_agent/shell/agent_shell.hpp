@@ -12,6 +12,7 @@
 #include "robot_agent/shell/hosted_agent.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
+#include "runtime/process/mailbox.hpp"
 
 namespace caravan::agent {
 
@@ -57,8 +58,7 @@ class AgentShell {
   bool said_waiting_ = false;
   bool told_refused_writes_ = false;
 
-  std::mutex mailbox_mutex_;
-  std::vector<runtime::Discovery> mailbox_;
+  runtime::Mailbox<runtime::Discovery> mailbox_{loop_};
 
   runtime::Bus bus_;  // after the state, so that no callback outlives it
 };

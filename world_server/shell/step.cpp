@@ -17,12 +17,7 @@ using runtime::Pacing;
 using namespace std::chrono_literals;
 
 void WorldShell::read_mailbox() {
-  std::vector<Discovery> news;
-  {
-    const std::lock_guard lock{mailbox_mutex_};
-    news.swap(mailbox_);
-  }
-  for (const Discovery& one : news) {
+  for (const Discovery& one : mailbox_.take()) {
     if (one.kind == Discovery::Kind::kGone) forget(one);
     if (one.kind == Discovery::Kind::kWriterFound) meet(one);
   }

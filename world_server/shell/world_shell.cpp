@@ -59,9 +59,7 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
       radio_chain_{pure::HashChain{}.value()},
       bus_{bus, [this](const Discovery& news) {
              if (news.kind != Discovery::Kind::kGone && news.kind != Discovery::Kind::kWriterFound) return;
-             const std::lock_guard lock{mailbox_mutex_};
-             mailbox_.push_back(news);
-             loop_.notify();
+             mailbox_.post(news);
            }} {
   for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
     const idl::Topic& topic = config_.is_body(robot) ? idl::kBodySensors : idl::kSensors;

@@ -12,6 +12,7 @@
 #include "robotPubSubTypes.h"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
+#include "runtime/process/mailbox.hpp"
 #include "runtime/trace/trace_file.hpp"
 #include "worldPubSubTypes.h"
 #include "world_server/barrier/barrier.hpp"
@@ -130,8 +131,7 @@ class WorldShell {
   bool named_hold_ = false;
   bool told_refused_writes_ = false;
 
-  std::mutex mailbox_mutex_;
-  std::vector<runtime::Discovery> mailbox_;
+  runtime::Mailbox<runtime::Discovery> mailbox_{loop_};
 
   caravan_interfaces::msg::SensorFrame frame_;
   caravan_interfaces::msg::WorldTruth truth_;
