@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "runtime/bus/sample_port.hpp"
+
 namespace caravan::deploy {
 namespace fs = std::filesystem;
 namespace {
@@ -46,14 +48,14 @@ std::set<std::string> mapped_by_the_living(const fs::path& folder = kFolder) {
   return names;
 }
 
-/// Whether the file belongs to a port of the domain: DDS gives each domain 250 port numbers from 7400 on.
-bool is_port_of(const std::string& name, std::uint32_t domain) {
+/// Whether the file belongs to a port of the domain.
+bool is_of_a_port_of(const std::string& name, std::uint32_t domain) {
   const std::size_t place = name.find(kPortMark);
   if (place == std::string::npos) return false;
   std::uint32_t port = 0;
   const char* digits = name.data() + place + kPortMark.size();
   if (std::from_chars(digits, name.data() + name.size(), port).ec != std::errc{}) return false;
-  return port >= 7400 + 250 * domain && port < 7400 + 250 * (domain + 1);
+  return runtime::is_port_of(port, domain);
 }
 
 /// A segment's file is named like the segment, its lock like it with "_el" behind.
@@ -113,14 +115,14 @@ void SharedMemory::note(pid_t process) {
 
 void SharedMemory::remove_leftovers() const {
   remove_unused([this](const std::string& name) {
-    return is_port_of(name, domain_) || segments_.contains(without_lock_mark(name));
+    return is_of_a_port_of(name, domain_) || segments_.contains(without_lock_mark(name));
   });
 }
 
 bool has_living_ports(std::uint32_t domain) {
   const std::set<std::string> in_use = mapped_by_the_living();
   return std::any_of(in_use.begin(), in_use.end(),
-                     [&](const std::string& name) { return is_port_of(name, domain); });
+                     [&](const std::string& name) { return is_of_a_port_of(name, domain); });
 }
 
 std::vector<LeftFile> left_by_the_dead(const fs::path& folder) {
@@ -147,7 +149,7 @@ std::size_t remove_left_by_the_dead(const fs::path& folder) {
 }
 
 void remove_dead_ports(std::uint32_t domain) {
-  remove_unused([domain](const std::string& name) { return is_port_of(name, domain); });
+  remove_unused([domain](const std::string& name) { return is_of_a_port_of(name, domain); });
 }
 
 }  // namespace caravan::deploy

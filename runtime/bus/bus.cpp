@@ -18,9 +18,12 @@
 #include <fastdds/dds/topic/TypeSupport.hpp>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <vector>
 
+#include "runtime/bus/place.hpp"
 #include "runtime/bus/qos.hpp"
+#include "runtime/bus/sample_port.hpp"
 #include "runtime/bus/start_deadline.hpp"
 #include "runtime/config/start_error.hpp"
 
@@ -46,6 +49,28 @@ void prepare_process() {
   eprosima::fastrtps::LibrarySettingsAttributes settings;
   settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
   eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+  dds::DomainParticipantFactoryQos by_hand;
+  by_hand.entity_factory().autoenable_created_entities = false;
+  dds::DomainParticipantFactory::get_instance()->set_qos(by_hand);
+}
+
+/// A participant that has joined the domain; null when DDS refuses.
+dds::DomainParticipant* join(const BusConfig& config, dds::DomainParticipantQos qos, const Place* place,
+                             dds::DomainParticipantListener* listener) {
+  const StartDeadline deadline{config.domain};
+  auto* const factory = dds::DomainParticipantFactory::get_instance();
+  auto* const participant =
+      factory->create_participant(config.domain, qos, listener, dds::StatusMask::none());
+  if (participant == nullptr) return nullptr;
+  if (place != nullptr) {
+    auto& wire = qos.wire_protocol();
+    wire.default_unicast_locator_list.push_back(fresh_sample_port(config.domain, participant->guid()));
+    place->settle(wire.builtin);
+    participant->set_qos(qos);
+  }
+  if (participant->enable() == ReturnCode_t::RETCODE_OK) return participant;
+  factory->delete_participant(participant);
+  return nullptr;
 }
 
 /// Turns Fast DDS's discovery callbacks into Discovery values.
@@ -121,6 +146,7 @@ struct Bus::Impl {
   Identity identity;
   ParticipantId id;
   DiscoveryListener listener;
+  std::optional<Place> place;
   dds::DomainParticipant* participant = nullptr;
   dds::Publisher* publisher = nullptr;
   dds::Subscriber* subscriber = nullptr;
@@ -148,11 +174,8 @@ Bus::Bus(const BusConfig& config, DiscoveryCallback discovered)
   const dds::DomainParticipantQos qos = participant_qos(to_name(impl_->identity), config);
   static const bool prepared = (prepare_process(), true);  // after a profile was read, which may set them too
   (void)prepared;
-  {
-    const StartDeadline deadline{config.domain};
-    impl_->participant = dds::DomainParticipantFactory::get_instance()->create_participant(
-        config.domain, qos, &impl_->listener, dds::StatusMask::none());
-  }
+  if (config.transport.kind == Transport::kSharedMemory) impl_->place.emplace(config.domain);
+  impl_->participant = join(config, qos, impl_->place ? &*impl_->place : nullptr, &impl_->listener);
   if (impl_->participant == nullptr) {
     throw StartError{"DDS refused a participant in domain " + std::to_string(config.domain) +
                      ": is /dev/shm writable and the domain 0 to 232?"};
@@ -197,6 +220,7 @@ void Bus::close() {
   impl_->participant->delete_contained_entities();
   dds::DomainParticipantFactory::get_instance()->delete_participant(impl_->participant);
   impl_->participant = nullptr;
+  impl_->place.reset();
 }
 
 bool detail::write_sample(dds::DataWriter* writer, void* sample) { return writer->write(sample); }

@@ -51,8 +51,7 @@ struct Discovery {
 template <typename PubSubType>
 class Writer;
 
-/// One DDS participant on one transport: nothing leaves the machine. All reader callbacks run on its one
-/// receiving thread.
+/// One DDS participant. All reader callbacks run on its one receiving thread.
 ///
 /// All entities are made before samples flow. close() ends all callbacks, then deletes everything; the
 /// destructor calls it.

@@ -6,8 +6,10 @@
 #include <fastrtps/utils/IPLocator.h>
 
 #include <filesystem>
+#include <limits>
 #include <memory>
 
+#include "runtime/bus/place.hpp"
 #include "runtime/bus/profile.hpp"
 
 namespace caravan::runtime {
@@ -15,7 +17,6 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 namespace {
 
-constexpr std::uint32_t kParticipants = 120;  // so many have ports in a domain
 // Of the lease. Everybody tells everybody, so this is most of what waiting costs; whatever else a process
 // sends renews its lease too.
 constexpr double kAnnouncedAfter = 0.4;
@@ -66,7 +67,7 @@ std::int32_t fresh_number(std::uint32_t domain) {
     std::error_code error;
     return std::filesystem::exists("/dev/shm/fastrtps_port" + std::to_string(port), error);
   };
-  for (std::int32_t number = 0; number < static_cast<std::int32_t>(kParticipants); ++number) {
+  for (std::int32_t number = 0; number < static_cast<std::int32_t>(kMostProcesses); ++number) {
     const std::uint32_t port = kFirstPort + kPortsOfADomain * domain + 2 * static_cast<std::uint32_t>(number);
     if (!is_used(port) && !is_used(port + 1)) return number;
   }
@@ -80,6 +81,7 @@ void look_for_peers_on_loopback(rtps::BuiltinAttributes& builtin) {
   rtps::IPLocator::setIPv4(loopback, "127.0.0.1");
   builtin.metatrafficUnicastLocatorList.push_back(loopback);
   builtin.initialPeersList.push_back(loopback);
+  builtin.mutation_tries = kMostProcesses;  // so many ports are tried for a free one
 }
 
 /// What decides how others are reached: transports, addresses, ports, the way of discovery.
@@ -89,7 +91,6 @@ dds::DomainParticipantQos qos_to_reach_others(const BusConfig& config) {
   qos.transport().use_builtin_transports = false;
   if (config.transport.kind == Transport::kSharedMemory) {
     qos.transport().user_transports.push_back(shared_memory());
-    return qos;
   }
   qos.transport().user_transports.push_back(config.around_udp ? config.around_udp : loopback_udp());
   look_for_peers_on_loopback(qos.wire_protocol().builtin);
@@ -104,29 +105,25 @@ eprosima::fastrtps::Duration_t milliseconds(std::uint32_t count) {
 
 std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory() {
   const auto transport = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
-  // With the default samples are lost for good: when a process is stopped for 2 s, and also, with many
-  // processes, because two of them check a port at the same moment and the second finds nothing new. With any
-  // time this happens; it is long so that it is rare.
-  transport->healthy_check_timeout_ms(600'000);
-  // All listen for newcomers at one port, where a killed process leaves a place from which nobody reads any
-  // more. With the default of 512 the port is full half a minute later, and until the next health check
-  // whoever starts is not found. A fleet of 15 with leases of 5 s announces itself 9 times a second, so this
-  // lasts for half an hour.
-  transport->port_queue_capacity(16'384);
+  // Never, which is after 49 days. With the default of 1 s samples are lost for good when a process is
+  // stopped for 2 s; and whoever starts between a check and the next message to a port that was checked
+  // hangs.
+  transport->healthy_check_timeout_ms(std::numeric_limits<std::uint32_t>::max());
   return transport;
 }
 
 std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> loopback_udp() {
   auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   transport->interfaceWhiteList.emplace_back("127.0.0.1");
-  transport->maxInitialPeersRange = kParticipants;  // by default the fifth process would not be looked for
+  transport->maxInitialPeersRange = kMostProcesses;  // by default the fifth process would not be looked for
   return transport;
 }
 
 dds::DomainParticipantQos participant_qos(const std::string& name, const BusConfig& config) {
   dds::DomainParticipantQos qos = qos_to_reach_others(config);
   qos.name(name.c_str());
-  if (uses_shared_memory(qos) && qos.wire_protocol().participant_id < 0) {
+  const bool of_a_profile = config.transport.kind == Transport::kProfile;
+  if (of_a_profile && uses_shared_memory(qos) && qos.wire_protocol().participant_id < 0) {
     qos.wire_protocol().participant_id = fresh_number(config.domain);
   }
   auto& discovery = qos.wire_protocol().builtin.discovery_config;

@@ -8,6 +8,8 @@
 #include <thread>
 #include <utility>
 
+#include "runtime/bus/sample_port.hpp"
+
 namespace caravan::test {
 namespace fs = std::filesystem;
 
@@ -55,7 +57,7 @@ std::vector<std::string> left_in_shared_memory(std::uint32_t domain) {
     const std::size_t place = name.find("fastrtps_port");
     if (place == std::string::npos) continue;
     const unsigned long port = std::strtoul(name.c_str() + place + 13, nullptr, 10);
-    if (port / 250 == (7400UL + 250UL * domain) / 250) names.push_back(name);
+    if (runtime::is_port_of(static_cast<std::uint32_t>(port), domain)) names.push_back(name);
   }
   return names;
 }

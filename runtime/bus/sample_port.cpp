@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/bus/sample_port.hpp"
+
+#include <filesystem>
+#include <random>
+#include <string>
+
+namespace caravan::runtime {
+namespace rtps = eprosima::fastrtps::rtps;
+namespace {
+
+constexpr std::uint32_t kPortsOfADomain = 1'000'000;  // domain 0 has them from here on
+
+/// Drawn, because two that start in the same moment see the same files.
+std::uint32_t unused_port(std::uint32_t domain) {
+  std::random_device source;
+  std::uniform_int_distribution<std::uint32_t> number{0, kPortsOfADomain - 1};
+  std::error_code error;
+  std::uint32_t port = 0;
+  do {
+    port = kPortsOfADomain * (domain + 1) + number(source);
+  } while (std::filesystem::exists("/dev/shm/fastrtps_port" + std::to_string(port), error));
+  return port;
+}
+
+}  // namespace
+
+rtps::Locator_t fresh_sample_port(std::uint32_t domain, const rtps::GUID_t& own) {
+  rtps::Locator_t port{LOCATOR_KIND_SHM, unused_port(domain)};
+  port.address[0] = 'U';  // one reader
+  port.address[1] = own.guidPrefix.value[2];
+  port.address[2] = own.guidPrefix.value[3];
+  return port;
+}
+
+bool is_port_of(std::uint32_t port, std::uint32_t domain) {
+  constexpr std::uint32_t kFirst = 7400;
+  constexpr std::uint32_t kPorts = 250;
+  return port / kPortsOfADomain == domain + 1 ||
+         (port >= kFirst + kPorts * domain && port < kFirst + kPorts * (domain + 1));
+}
+
+}  // namespace caravan::runtime

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fastdds/rtps/common/Guid.h>
+#include <fastdds/rtps/common/Locator.h>
+
+#include <cstdint>
+
+namespace caravan::runtime {
+
+/// A port of shared memory for a participant's samples that nobody has had before.
+///
+/// Processes that have sent to a killed one keep its port mapped and go on sending into it: whoever got the
+/// same number would never be heard from by them.
+/// @param own of the participant: the host in it is part of the port's address
+[[nodiscard]] eprosima::fastrtps::rtps::Locator_t fresh_sample_port(
+    std::uint32_t domain, const eprosima::fastrtps::rtps::GUID_t& own);
+
+/// Whether a port of shared memory (/dev/shm/fastrtps_portNUMBER) is of the domain: one of those above, or of
+/// the 250 that DDS itself gives a domain.
+[[nodiscard]] bool is_port_of(std::uint32_t port, std::uint32_t domain);
+
+}  // namespace caravan::runtime
