@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from meetings import meetings
 from paper import ITEMS, PAPER, ROUND_TRIP_S, TIME_MIN
 from picture import ByMode
 from quantities import QUANTITIES, Quantity, last_items_per_minute, round_trip_s, summary
@@ -41,6 +42,19 @@ def trip_budgets(runs: ByMode) -> str:
         if (found := budget(those)) is not None:
             parts = [f"{part:.1f}" for part in (*found.parts_s, np.sum(found.parts_s))]
             rows.append([mode, str(found.trips), *parts])
+    return markdown(rows)
+
+
+def searching(runs: ByMode) -> str:
+    """How robots without a path come across those with one, once these may tell."""
+    rows = [["mode", "floor on which robots with a path drive, m2", "robot minutes of search",
+             "meetings with one that has a path, a minute", "paths got, an hour of search"]]
+    for mode, those in runs.items():
+        found = meetings(those)
+        if found.searching_min > 0:
+            rows.append([mode, f"{np.median(found.floor_m2):.0f}", f"{found.searching_min:.0f}",
+                         f"{found.meetings / found.searching_min:.2f}",
+                         f"{60 * found.got_path / found.searching_min:.0f}"])
     return markdown(rows)
 
 

@@ -9,7 +9,8 @@ import unittest
 TREE = pathlib.Path(__file__).resolve().parents[3]
 sys.path[:0] = [str(TREE / "deploy/report"), str(TREE / "tests/support")]
 
-from made_runs import make_run  # noqa: E402
+from made_runs import make_run, robot  # noqa: E402
+from meetings import meetings  # noqa: E402
 from paper import PAPER  # noqa: E402
 from quantities import QUANTITIES, by_mode  # noqa: E402
 from records import read_run  # noqa: E402
@@ -40,6 +41,17 @@ class Tables(unittest.TestCase):
         self.assertAlmostEqual(needed_min([0.0], 60.0, 10), 10.0)
         self.assertAlmostEqual(needed_min([0.0, 300.0], 60.0, 10), 7.5)  # 5 items by 5 min, then two a minute
         self.assertAlmostEqual(needed_min([900.0, 0.0], 60.0, 10), 10.0, msg="the second comes too late")
+
+    def test_a_robot_that_searches_meets_one_that_passes_with_a_path_once(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            run = read_run(make_run(pathlib.Path(folder) / "run", per_robot=[robot(1, found_s=4.0), robot(2)]))
+        # As if it were recorded from a minute after exchanges began, at 5 s.
+        run.track_times += 65.0
+        found = meetings([run])
+        self.assertEqual(found.meetings, 1)
+        self.assertEqual(found.floor_m2, [44.0], msg="from x = -10 to 10 m, in cells of 2 m")
+        self.assertAlmostEqual(found.searching_min, 21 / 60)
+        self.assertEqual(found.got_path, 0)
 
     def test_variants_are_compared_over_the_seeds_that_all_of_them_have(self) -> None:
         time = [quantity for quantity in QUANTITIES if quantity.name == "time to the last item, min"]
