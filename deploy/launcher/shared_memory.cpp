@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "runtime/bus/sample_port.hpp"
+#include "runtime/bus/shared_memory_port.hpp"
 
 namespace caravan::deploy {
 namespace fs = std::filesystem;

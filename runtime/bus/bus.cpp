@@ -22,8 +22,9 @@
 #include <vector>
 
 #include "runtime/bus/place.hpp"
+#include "runtime/bus/profile.hpp"
 #include "runtime/bus/qos.hpp"
-#include "runtime/bus/sample_port.hpp"
+#include "runtime/bus/shared_memory_port.hpp"
 #include "runtime/bus/start_deadline.hpp"
 #include "runtime/config/start_error.hpp"
 
@@ -64,8 +65,9 @@ dds::DomainParticipant* join(const BusConfig& config, dds::DomainParticipantQos 
   if (participant == nullptr) return nullptr;
   if (place != nullptr) {
     auto& wire = qos.wire_protocol();
-    wire.default_unicast_locator_list.push_back(fresh_sample_port(config.domain, participant->guid()));
-    place->settle(wire.builtin);
+    const auto own = participant->guid();
+    wire.default_unicast_locator_list.push_back(shared_memory_locator(fresh_port(config.domain), own));
+    place->settle(wire.builtin, own);
     participant->set_qos(qos);
   }
   if (participant->enable() == ReturnCode_t::RETCODE_OK) return participant;
@@ -174,7 +176,7 @@ Bus::Bus(const BusConfig& config, DiscoveryCallback discovered)
   const dds::DomainParticipantQos qos = participant_qos(to_name(impl_->identity), config);
   static const bool prepared = (prepare_process(), true);  // after a profile was read, which may set them too
   (void)prepared;
-  if (config.transport.kind == Transport::kSharedMemory) impl_->place.emplace(config.domain);
+  if (uses_shared_memory_alone(qos)) impl_->place.emplace(config.domain);
   impl_->participant = join(config, qos, impl_->place ? &*impl_->place : nullptr, &impl_->listener);
   if (impl_->participant == nullptr) {
     throw StartError{"DDS refused a participant in domain " + std::to_string(config.domain) +

@@ -2,77 +2,75 @@
 #include "runtime/bus/place.hpp"
 
 #include <fastdds/rtps/attributes/RTPSParticipantAttributes.h>
-#include <fastrtps/utils/IPLocator.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstddef>
+#include <cstring>
+#include <fstream>
 #include <string>
+#include <vector>
 
+#include "runtime/bus/shared_memory_port.hpp"
 #include "runtime/config/start_error.hpp"
 
 namespace caravan::runtime {
 namespace rtps = eprosima::fastrtps::rtps;
 namespace {
 
-/// Where the process of this place listens for newcomers; DDS's own rule.
-std::uint16_t discovery_port(std::uint32_t domain, std::uint32_t number) {
-  return static_cast<std::uint16_t>(7410 + 250 * domain + 2 * number);
-}
+/// What the names of a domain's places begin with; the port's number follows.
+std::string mark_of(std::uint32_t domain) { return "caravan/" + std::to_string(domain) + "/"; }
 
-/// DDS over UDP receives samples here; over shared memory nobody does.
-std::uint16_t holding_port(std::uint32_t domain, std::uint32_t number) {
-  return static_cast<std::uint16_t>(discovery_port(domain, number) + 1);
-}
-
-/// A socket that has this port of 127.0.0.1, -1 when somebody else has it.
-int hold(std::uint16_t port) {
-  const int held = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  address.sin_port = htons(port);
-  if (bind(held, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) return held;
-  close(held);
+/// A local socket of this name, which is in no file system; -1 when somebody else has it.
+int hold(const std::string& name) {
+  const int held = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::copy(name.begin(), name.end(), address.sun_path + 1);  // after a NUL: abstract
+  const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+  if (bind(held, reinterpret_cast<const sockaddr*>(&address), size) == 0) return held;
+  const int why = errno;
+  if (held >= 0) close(held);
+  if (why != EADDRINUSE) throw StartError{std::string{"no local socket (AF_UNIX): "} + std::strerror(why)};
   return -1;
 }
 
-bool is_taken(std::uint16_t port) {
-  const int held = hold(port);
-  if (held >= 0) close(held);
-  return held < 0;
-}
-
-rtps::Locator_t loopback(std::uint16_t port) {
-  rtps::Locator_t locator;
-  locator.kind = LOCATOR_KIND_UDPv4;
-  locator.port = port;
-  rtps::IPLocator::setIPv4(locator, "127.0.0.1");
-  return locator;
+/// Ports of all places of the domain, by the kernel's list of local sockets; it writes @ for the NUL.
+std::vector<std::uint32_t> ports_in_use(std::uint32_t domain) {
+  const std::string mark = " @" + mark_of(domain);
+  std::vector<std::uint32_t> ports;
+  std::ifstream sockets{"/proc/net/unix"};
+  for (std::string line; std::getline(sockets, line);) {
+    const std::size_t found = line.find(mark);
+    if (found == std::string::npos) continue;
+    std::uint32_t port = 0;
+    const char* const digits = line.data() + found + mark.size();
+    if (std::from_chars(digits, line.data() + line.size(), port).ec == std::errc{}) ports.push_back(port);
+  }
+  return ports;
 }
 
 }  // namespace
 
 Place::Place(std::uint32_t domain) : domain_{domain} {
-  for (; number_ < kMostProcesses; ++number_) {
-    held_ = hold(holding_port(domain_, number_));
-    if (held_ < 0) continue;
-    if (!is_taken(discovery_port(domain_, number_))) return;
-    close(held_);  // somebody is there who holds no places
+  while (held_ < 0) {
+    port_ = fresh_port(domain);
+    held_ = hold(mark_of(domain) + std::to_string(port_));
   }
-  throw StartError{"domain " + std::to_string(domain_) + " has " + std::to_string(kMostProcesses) +
-                   " processes on this machine already, or UDP on 127.0.0.1 is not possible"};
 }
 
 Place::~Place() { close(held_); }
 
-void Place::settle(rtps::BuiltinAttributes& discovery) const {
+void Place::settle(rtps::BuiltinAttributes& discovery, const rtps::GUID_t& own) const {
   discovery.metatrafficUnicastLocatorList.clear();
-  discovery.metatrafficUnicastLocatorList.push_back(loopback(discovery_port(domain_, number_)));
+  discovery.metatrafficUnicastLocatorList.push_back(shared_memory_locator(port_, own));
   discovery.initialPeersList.clear();
-  for (std::uint32_t other = 0; other < kMostProcesses; ++other) {
-    if (other < number_ || (other > number_ && is_taken(holding_port(domain_, other))))
-      discovery.initialPeersList.push_back(loopback(discovery_port(domain_, other)));
+  for (const std::uint32_t other : ports_in_use(domain_)) {
+    if (other != port_) discovery.initialPeersList.push_back(shared_memory_locator(other, own));
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <fastdds/rtps/common/Guid.h>
+
 #include <cstdint>
 
 namespace eprosima::fastrtps::rtps {
@@ -9,29 +11,30 @@ class BuiltinAttributes;
 
 namespace caravan::runtime {
 
-/// So many processes of a domain may live on a machine at one time: each has two of DDS's 250 ports.
-inline constexpr std::uint32_t kMostProcesses = 120;
-
-/// A number, from 0 on, that a process has for itself among those that find one another over 127.0.0.1.
+/// The port of shared memory at which newcomers find a process, and the means to find those that are there.
 ///
-/// It is held by a UDP port, so it is free again as soon as the process has ended, however it did.
+/// Left to itself DDS has all processes listen for newcomers at one port, where a killed one leaves a place
+/// from which nobody reads any more; it fills up, and then hangs whoever comes. So each listens at a port of
+/// its own, whose number is in the name of a local socket. The kernel takes the name away as soon as the
+/// process has ended, however it did.
 class Place {
  public:
-  /// @throws StartError when the domain has no more of them
+  /// @throws StartError when there are no local sockets
   explicit Place(std::uint32_t domain);
   ~Place();
   Place(const Place&) = delete;
   Place& operator=(const Place&) = delete;
 
-  /// Has DDS listen for newcomers at the place's own port, and announce itself to those that are there.
+  /// Has DDS listen at this place and announce itself at those of the others that are there.
   ///
-  /// Of two that start in the same moment the one with the higher place always knows of the lower; the answer
-  /// to its announcement makes it known there too.
-  void settle(eprosima::fastrtps::rtps::BuiltinAttributes& discovery) const;
+  /// Of two that start in the same moment at least one knows of the other; the answer to its announcement
+  /// makes it known there too. @param own  of the participant
+  void settle(eprosima::fastrtps::rtps::BuiltinAttributes& discovery,
+              const eprosima::fastrtps::rtps::GUID_t& own) const;
 
  private:
   std::uint32_t domain_;
-  std::uint32_t number_ = 0;
+  std::uint32_t port_ = 0;
   int held_ = -1;  // the socket
 };
 

@@ -29,6 +29,12 @@ void load_once(const std::filesystem::path& file) {
   loaded = file;
 }
 
+bool is_shared_memory(
+    const std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface>& transport) {
+  return dynamic_cast<const eprosima::fastdds::rtps::SharedMemTransportDescriptor*>(transport.get()) !=
+         nullptr;
+}
+
 }  // namespace
 
 dds::DomainParticipantQos read_profile(const std::filesystem::path& file) {
@@ -43,12 +49,14 @@ dds::DomainParticipantQos read_profile(const std::filesystem::path& file) {
 
 bool uses_shared_memory(const dds::DomainParticipantQos& qos) {
   const auto& transports = qos.transport();
-  const auto is_shared_memory = [](const auto& transport) {
-    return dynamic_cast<const eprosima::fastdds::rtps::SharedMemTransportDescriptor*>(transport.get()) !=
-           nullptr;
-  };
   return transports.use_builtin_transports ||
          std::any_of(transports.user_transports.begin(), transports.user_transports.end(), is_shared_memory);
+}
+
+bool uses_shared_memory_alone(const dds::DomainParticipantQos& qos) {
+  const auto& transports = qos.transport();
+  return !transports.use_builtin_transports && !transports.user_transports.empty() &&
+         std::all_of(transports.user_transports.begin(), transports.user_transports.end(), is_shared_memory);
 }
 
 }  // namespace caravan::runtime

@@ -17,5 +17,6 @@ inline constexpr const char* kProfileName = "caravan";
 
 /// Whether one of its transports is shared memory.
 [[nodiscard]] bool uses_shared_memory(const eprosima::fastdds::dds::DomainParticipantQos& qos);
+[[nodiscard]] bool uses_shared_memory_alone(const eprosima::fastdds::dds::DomainParticipantQos& qos);
 
 }  // namespace caravan::runtime

@@ -9,7 +9,6 @@
 #include <limits>
 #include <memory>
 
-#include "runtime/bus/place.hpp"
 #include "runtime/bus/profile.hpp"
 
 namespace caravan::runtime {
@@ -17,6 +16,7 @@ namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 namespace {
 
+constexpr std::uint32_t kMostProcesses = 120;  // of a domain on UDP: each has two of its 250 ports
 // Of the lease. Everybody tells everybody, so this is most of what waiting costs; whatever else a process
 // sends renews its lease too.
 constexpr double kAnnouncedAfter = 0.4;
@@ -91,6 +91,7 @@ dds::DomainParticipantQos qos_to_reach_others(const BusConfig& config) {
   qos.transport().use_builtin_transports = false;
   if (config.transport.kind == Transport::kSharedMemory) {
     qos.transport().user_transports.push_back(shared_memory());
+    return qos;
   }
   qos.transport().user_transports.push_back(config.around_udp ? config.around_udp : loopback_udp());
   look_for_peers_on_loopback(qos.wire_protocol().builtin);
@@ -122,8 +123,8 @@ std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> loopback_
 dds::DomainParticipantQos participant_qos(const std::string& name, const BusConfig& config) {
   dds::DomainParticipantQos qos = qos_to_reach_others(config);
   qos.name(name.c_str());
-  const bool of_a_profile = config.transport.kind == Transport::kProfile;
-  if (of_a_profile && uses_shared_memory(qos) && qos.wire_protocol().participant_id < 0) {
+  const bool numbers_its_ports = uses_shared_memory(qos) && !uses_shared_memory_alone(qos);
+  if (numbers_its_ports && qos.wire_protocol().participant_id < 0) {
     qos.wire_protocol().participant_id = fresh_number(config.domain);
   }
   auto& discovery = qos.wire_protocol().builtin.discovery_config;

@@ -18,7 +18,6 @@ Reach reach_of(const Transport& transport) {
   Reach reach;
   reach.shared_memory = uses_shared_memory(qos);
   reach.network = qos.transport().use_builtin_transports;
-  reach.only_to_discover = transport.kind == Transport::kSharedMemory;
   for (const auto& one : qos.transport().user_transports) {
     const auto* udp = dynamic_cast<const eprosima::fastdds::rtps::UDPTransportDescriptor*>(one.get());
     if (udp == nullptr) continue;

@@ -18,7 +18,6 @@ struct Reach {
   };
   bool shared_memory = false;
   bool network = false;                 ///< UDP
-  bool only_to_discover = false;        ///< no samples go over the network
   std::vector<std::string> interfaces;  ///< addresses that UDP is bound to; empty: to all
   std::vector<Server> servers;          ///< Discovery Servers that are asked
 };

@@ -10,7 +10,7 @@ namespace caravan::runtime {
 /// What a run's samples travel by; all of its processes must use the same.
 struct Transport {
   enum Kind : std::uint8_t {
-    kSharedMemory,  ///< found over 127.0.0.1; nothing leaves the machine
+    kSharedMemory,  ///< nothing leaves the machine
     kUdp,           ///< over 127.0.0.1, unicast; for machines without shared memory, and to compare
     kProfile        ///< as a Fast DDS XML file says: between machines; docs/hosts.md
   };

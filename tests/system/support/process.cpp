@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "runtime/bus/sample_port.hpp"
+#include "runtime/bus/shared_memory_port.hpp"
 
 namespace caravan::test {
 namespace fs = std::filesystem;

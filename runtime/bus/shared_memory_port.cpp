@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "runtime/bus/sample_port.hpp"
+#include "runtime/bus/shared_memory_port.hpp"
 
 #include <filesystem>
 #include <random>
@@ -11,8 +11,10 @@ namespace {
 
 constexpr std::uint32_t kPortsOfADomain = 1'000'000;  // domain 0 has them from here on
 
-/// Drawn, because two that start in the same moment see the same files.
-std::uint32_t unused_port(std::uint32_t domain) {
+}  // namespace
+
+std::uint32_t fresh_port(std::uint32_t domain) {
+  // Drawn, because two that start in the same moment see the same files.
   std::random_device source;
   std::uniform_int_distribution<std::uint32_t> number{0, kPortsOfADomain - 1};
   std::error_code error;
@@ -23,14 +25,12 @@ std::uint32_t unused_port(std::uint32_t domain) {
   return port;
 }
 
-}  // namespace
-
-rtps::Locator_t fresh_sample_port(std::uint32_t domain, const rtps::GUID_t& own) {
-  rtps::Locator_t port{LOCATOR_KIND_SHM, unused_port(domain)};
-  port.address[0] = 'U';  // one reader
-  port.address[1] = own.guidPrefix.value[2];
-  port.address[2] = own.guidPrefix.value[3];
-  return port;
+rtps::Locator_t shared_memory_locator(std::uint32_t port, const rtps::GUID_t& own) {
+  rtps::Locator_t locator{LOCATOR_KIND_SHM, port};
+  locator.address[0] = 'U';  // one reader
+  locator.address[1] = own.guidPrefix.value[2];
+  locator.address[2] = own.guidPrefix.value[3];
+  return locator;
 }
 
 bool is_port_of(std::uint32_t port, std::uint32_t domain) {
