@@ -15,6 +15,7 @@
 #include "deploy/sweep/run_sweep.hpp"
 #include "deploy/trace/diff_runs.hpp"
 #include "runtime/config/start_error.hpp"
+#include "runtime/config/write_error.hpp"
 #include "runtime/process/run_process.hpp"
 
 namespace {
@@ -27,6 +28,15 @@ int check(const deploy::CheckCommand& command) {
   return runtime::kDone;
 }
 
+/// What cannot be written before the run begins is an error of the start.
+void write_first_file(const std::filesystem::path& file, const std::string& text) {
+  try {
+    deploy::write_whole_file(file, text);
+  } catch (const runtime::WriteError& error) {
+    throw runtime::StartError{error.what()};
+  }
+}
+
 int run(const deploy::RunCommand& command) {
   runtime::Loop loop;
   const auto original = runtime::TomlDocument::load(command.scenario);
@@ -37,7 +47,7 @@ int run(const deploy::RunCommand& command) {
   deploy::RunFacts facts = deploy::check_scenario(effective);
   facts.engine = command.embedded ? "embedded" : "dds";
   const auto folder = std::filesystem::absolute(deploy::make_run_directory(command.out, facts));
-  deploy::write_whole_file(folder / "scenario.toml", text);
+  write_first_file(folder / "scenario.toml", text);
   std::optional<std::filesystem::path> trace;
   if (command.trace) {
     trace = folder / "trace";
@@ -110,6 +120,9 @@ int main(int argc, char** argv) {
   } catch (const runtime::StartError& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return runtime::kCouldNotStart;
+  } catch (const runtime::WriteError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return runtime::kFailed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "caravan: ended by an unexpected error: %s\n", error.what());
     return runtime::kFailed;

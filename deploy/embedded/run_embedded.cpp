@@ -6,6 +6,7 @@
 #include "deploy/embedded/engine.hpp"
 #include "deploy/embedded/stopwatch.hpp"
 #include "deploy/metrics/run_record.hpp"
+#include "runtime/config/write_error.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 #include "runtime/trace/trace_file.hpp"
 
@@ -75,15 +76,22 @@ int run_embedded(const RunRequest& request) {
     return end;
   };
   bool stopped = false;
-  while (!engine.finished() && !stopped) {
-    record.observe(engine.step());
-    trace.record(engine);
-    record.keep_up(so_far);
-    stopped = !pace.wait_for(engine.now());
+  std::string failure;
+  try {
+    while (!engine.finished() && !stopped && record.is_whole()) {
+      record.observe(engine.step());
+      trace.record(engine);
+      record.keep_up(so_far);
+      stopped = !pace.wait_for(engine.now());
+    }
+  } catch (const runtime::WriteError& error) {
+    failure = error.what();
+    std::fprintf(stderr, "%s\n", failure.c_str());
   }
   record.observe(engine.last());
   RunEnd end = so_far();
   end.interrupted = stopped;
+  end.failure = failure;
   return record.close(end);
 }
 

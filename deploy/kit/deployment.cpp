@@ -4,11 +4,13 @@
 #include <signal.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <utility>
 
 #include "deploy/kit/effective_scenario.hpp"
 #include "runtime/config/toml_table.hpp"
+#include "runtime/config/write_error.hpp"
 #include "runtime/pure/overload.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 
@@ -30,7 +32,10 @@ constexpr auto kLookPeriod = 10ms;  // how late the end of a process may be noti
 
 fs::path write_scenario(const DeploymentOptions& options) {
   fs::path file = options.folder / "scenario.toml";
-  std::ofstream{file} << with_changes(options.scenario, options.changes);
+  const std::string text = with_changes(options.scenario, options.changes);
+  std::ofstream out{file};
+  out << text << std::flush;
+  if (!out) throw runtime::StartError{runtime::cannot_write(file, errno).what()};
   return file;
 }
 

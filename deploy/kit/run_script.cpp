@@ -2,6 +2,7 @@
 #include "deploy/kit/run_script.hpp"
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include "deploy/kit/junit.hpp"
 #include "deploy/kit/script.hpp"
 #include "runtime/config/start_error.hpp"
+#include "runtime/config/write_error.hpp"
 #include "runtime/process/run_process.hpp"
 
 namespace caravan::deploy {
@@ -106,7 +108,7 @@ int run_script(const ScriptRequest& request, runtime::Loop& loop) {
   const fs::path report = request.junit.value_or(folder / "junit.xml");
   std::ofstream out{report};
   out << to_junit(script.name, verdicts) << std::flush;
-  if (!out) throw runtime::StartError{report.string() + ": cannot be written"};
+  if (!out) throw runtime::cannot_write(report, errno);
   if (is_interrupted()) return runtime::kInterrupted;
   return good ? runtime::kDone : runtime::kConditionNotMet;
 }

@@ -23,7 +23,9 @@ struct ScriptRequest {
 /// Runs a script to its end or its first failure, and writes the report.
 ///
 /// @return 0 everything came as expected, 3 something did not, 130 interrupted
-/// @throws runtime::StartError when the script is wrong or nothing can be started
+/// @throws runtime::StartError when the script is wrong or nothing can be started, runtime::WriteError when
+/// the
+///         report cannot be written
 [[nodiscard]] int run_script(const ScriptRequest& request, runtime::Loop& loop);
 
 /// The tables of actions and of what expectations are about, for --help.

@@ -29,6 +29,13 @@ constexpr auto kLookPeriod = 250ms;
 constexpr auto kNotePeriod = 2s;  // of the shared memory of those who are starting
 constexpr auto kNotePeriodLater = 10s;
 
+/// Whether there is room for less than a log's next lines.
+bool is_full(const std::filesystem::path& folder) {
+  std::error_code error;
+  const auto space = std::filesystem::space(folder, error);
+  return !error && space.available < 4096;
+}
+
 /// One run over DDS, from the first process to the last.
 class DdsRun {
  public:
@@ -142,14 +149,15 @@ void DdsRun::look() {
 }
 
 void DdsRun::mourn(const Ended& one) {
-  const std::string how = one.name + " (pid " + std::to_string(one.pid) + ") ended with exit code " +
-                          std::to_string(one.exit_code) + ", its log says why";
+  std::string how = one.name + " (pid " + std::to_string(one.pid) + ") ended with exit code " +
+                    std::to_string(one.exit_code) + ", its log says why";
+  if (is_full(request_.folder)) how += "; no room is left in " + request_.folder.string();
   if (one.name.starts_with("robot_agent")) {
     --agent_processes_;
     std::fprintf(stderr, "%s\n", how.c_str());
     if (agent_processes_ == 0) failure_ = "every agent has ended; the last was " + how;
-  } else if (one.name == "world_server") {
-    failure_ = how;
+  } else if (one.name == "world_server" || (request_.trace && one.exit_code == runtime::kFailed)) {
+    failure_ = how;  // without its radio's part a trace is worth nothing
   } else {
     std::fprintf(stderr, "%s; the robots drive on alone\n", how.c_str());
   }
@@ -169,7 +177,7 @@ void DdsRun::check_start(Wall now) {
 }
 
 void DdsRun::follow() {
-  while (!decided_ && failure_.empty()) {
+  while (!decided_ && failure_.empty() && record_.is_whole()) {
     const Wall now = std::chrono::steady_clock::now();
     if (request_.loop.wait(now + kLookPeriod) == runtime::Loop::Woken::kStop) {
       interrupted_ = true;

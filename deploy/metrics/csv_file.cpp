@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/metrics/csv_file.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
+#include <cerrno>
 #include <cstdio>
-#include <stdexcept>
 
 #include "runtime/config/start_error.hpp"
+#include "runtime/config/write_error.hpp"
 
 namespace caravan::deploy {
 namespace {
@@ -39,17 +44,50 @@ std::string csv_row(const std::vector<std::string>& fields) {
 }
 
 CsvFile::CsvFile(const std::filesystem::path& file, const std::vector<std::string>& header)
-    : name_{file.string()}, out_{file} {
-  if (!out_) throw runtime::StartError{file.string() + ": cannot be written"};
+    : file_{file},
+      descriptor_{open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0644)} {
+  if (descriptor_ < 0) throw runtime::StartError{runtime::cannot_write(file, errno).what()};
   row(header);
-  flush();
+  try {
+    flush();
+  } catch (const runtime::WriteError& error) {
+    close(descriptor_);
+    throw runtime::StartError{error.what()};
+  }
 }
+
+CsvFile::~CsvFile() {
+  (void)write_pending();
+  close(descriptor_);
+}
+
+void CsvFile::row(const std::vector<std::string>& fields) { pending_ += csv_row(fields); }
 
 void CsvFile::flush() {
-  out_.flush();
-  if (!out_) throw std::runtime_error{name_ + ": cannot be written any more"};
+  if (const int reason = write_pending(); reason != 0) throw runtime::cannot_write(file_, reason);
 }
 
-void CsvFile::row(const std::vector<std::string>& fields) { out_ << csv_row(fields); }
+int CsvFile::write_pending() {
+  std::size_t done = 0;
+  int reason = 0;
+  while (done < pending_.size() && reason == 0) {
+    const ssize_t written = write(descriptor_, pending_.data() + done, pending_.size() - done);
+    if (written > 0) done += static_cast<std::size_t>(written);
+    if (written < 0 && errno != EINTR) reason = errno;
+  }
+  if (reason != 0) done -= take_back(done - whole_rows(done));
+  pending_.erase(0, done);
+  return reason;
+}
+
+std::size_t CsvFile::whole_rows(std::size_t bytes) const {
+  return bytes == 0 ? 0 : pending_.rfind('\n', bytes - 1) + 1;  // npos + 1 is 0: not one
+}
+
+std::size_t CsvFile::take_back(std::size_t bytes) const {
+  struct stat facts {};
+  if (bytes == 0 || fstat(descriptor_, &facts) != 0) return 0;
+  return ftruncate(descriptor_, facts.st_size - static_cast<off_t>(bytes)) == 0 ? bytes : 0;
+}
 
 }  // namespace caravan::deploy

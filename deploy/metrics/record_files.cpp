@@ -129,9 +129,8 @@ void RecordFiles::flush() {
   path_lengths_.flush();
 }
 
-void RecordFiles::close() {
+void RecordFiles::finish() {
   for (const Trip& trip : trip_book_.open()) record_trip(trip);
-  flush();
 }
 
 }  // namespace caravan::deploy

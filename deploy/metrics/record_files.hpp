@@ -19,9 +19,11 @@ class RecordFiles {
 
   /// @pre stamps never go back
   void observe(const Observation& observation);
+  /// @throws runtime::WriteError
   void flush();
-  /// Writes the trips that are still under way; to be called once, after the last observation.
-  void close();
+  /// Adds the trips that are still under way; to be called once, after the last observation, before the last
+  /// flush().
+  void finish();
 
  private:
   struct Robot {

@@ -2,12 +2,13 @@
 #include "deploy/metrics/run_directory.hpp"
 
 #include <array>
+#include <cerrno>
 #include <ctime>
 #include <fstream>
-#include <stdexcept>
 #include <system_error>
 
 #include "runtime/config/start_error.hpp"
+#include "runtime/config/write_error.hpp"
 
 namespace caravan::deploy {
 namespace {
@@ -53,12 +54,17 @@ fs::path make_run_directory(const std::optional<fs::path>& wanted, const RunFact
 
 void write_whole_file(const fs::path& file, const std::string& text) {
   const fs::path fresh = file.string() + ".new";
+  errno = 0;
   std::ofstream out{fresh};
   out << text;
   out.close();
+  const int reason = out ? 0 : errno;
   std::error_code error;
   if (out) fs::rename(fresh, file, error);
-  if (!out || error) throw std::runtime_error{file.string() + ": cannot be written"};
+  if (out && !error) return;
+  std::error_code ignored;
+  fs::remove(fresh, ignored);
+  throw runtime::cannot_write(file, error ? error.value() : reason);
 }
 
 }  // namespace caravan::deploy

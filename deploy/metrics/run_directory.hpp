@@ -18,7 +18,7 @@ namespace caravan::deploy {
                                                        const RunFacts& facts);
 
 /// The whole text as a file at once: a reader sees the old or the new text, never a part.
-/// @throws std::runtime_error when it cannot be written
+/// @throws runtime::WriteError when it cannot be written; the old text stays
 void write_whole_file(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace caravan::deploy

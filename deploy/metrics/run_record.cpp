@@ -6,12 +6,16 @@
 #include "deploy/metrics/metrics_json.hpp"
 #include "deploy/metrics/result_table.hpp"
 #include "deploy/metrics/run_directory.hpp"
+#include "runtime/config/write_error.hpp"
 
 namespace caravan::deploy {
 namespace {
 
 /// Below the second that is promised, so that a late call still keeps it.
 constexpr std::chrono::milliseconds kFlushPeriod{800};
+
+/// For metrics.json, for which some hundred bytes a robot are enough, and for paths.csv in most runs.
+std::uint64_t room_for_last_words(std::uint32_t robots) { return (64 + std::uint64_t{robots}) * 1024; }
 
 std::string paths_csv(const std::vector<std::vector<Place>>& paths) {
   std::string text = "robot,index,x_m,y_m\n";
@@ -33,6 +37,7 @@ RunRecord::RunRecord(RunFacts facts, std::filesystem::path folder, std::FILE* ou
       out_{out},
       metrics_{facts_.robots},
       files_{folder_, facts_.robots},
+      spare_{folder_, room_for_last_words(facts_.robots)},
       progress_{out},
       flushed_{ProgressLine::Clock::now()} {}
 
@@ -46,8 +51,18 @@ void RunRecord::keep_up(const std::function<RunEnd()>& so_far) {
   if (out_ != nullptr) progress_.update(facts_, metrics_.progress(), now);
   if (now - flushed_ < kFlushPeriod) return;
   flushed_ = now;
-  files_.flush();
-  write_summary(so_far(), false);
+  attempt([&] {
+    files_.flush();
+    write_summary(so_far(), false);
+  });
+}
+
+void RunRecord::attempt(const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const runtime::WriteError& error) {
+    if (failure_.empty()) failure_ = error.what();
+  }
 }
 
 void RunRecord::write_summary(const RunEnd& end, bool ended) {
@@ -55,9 +70,21 @@ void RunRecord::write_summary(const RunEnd& end, bool ended) {
   write_whole_file(folder_ / "paths.csv", paths_csv(metrics_.paths()));
 }
 
-int RunRecord::close(const RunEnd& end) {
-  files_.close();
-  write_summary(end, true);
+int RunRecord::close(RunEnd end) {
+  files_.finish();
+  if (is_whole()) {
+    attempt([&] {
+      files_.flush();
+      write_summary(end, true);
+    });
+  }
+  if (!is_whole()) {
+    spare_.release();
+    if (end.failure.empty()) end.failure = failure_;
+    attempt([&] { write_summary(end, true); });
+    attempt([&] { files_.flush(); });
+    std::fprintf(stderr, "the record of the run ends early: %s\n", failure_.c_str());
+  }
   progress_.close();
   const Result result = metrics_.result();
   if (out_ != nullptr) {

@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "runtime/config/start_error.hpp"
+#include "runtime/config/write_error.hpp"
 #include "runtime/process/version.hpp"
 
 namespace caravan::runtime {
@@ -64,6 +65,9 @@ int run_process(const Program& program, int argc, char** argv,
   } catch (const StartError& error) {
     spdlog::error("{}", error.what());
     return kCouldNotStart;
+  } catch (const WriteError& error) {
+    spdlog::error("{}", error.what());
+    return kFailed;
   } catch (const std::exception& error) {
     spdlog::error("ended by an unexpected error: {}", error.what());
     return kFailed;

@@ -54,7 +54,8 @@ struct BeginAnew {
 
 /// The shell of every main: command line, logging to standard error, signals, exit codes.
 ///
-/// A StartError becomes one line and exit code 2; any other exception one line and exit code 1.
+/// A StartError becomes one line and exit code 2, a WriteError or any other exception one line and exit
+/// code 1.
 int run_process(const Program& program, int argc, char** argv,
                 const std::function<int(const Start&, Loop&)>& body);
 

@@ -2,10 +2,11 @@
 #include "runtime/trace/trace_file.hpp"
 
 #include <array>
-#include <stdexcept>
+#include <cerrno>
 #include <utility>
 
 #include "runtime/config/start_error.hpp"
+#include "runtime/config/write_error.hpp"
 
 namespace caravan::runtime {
 namespace {
@@ -24,7 +25,7 @@ std::string trace_heading(const std::string& part, std::uint32_t robots) {
 TraceFile::TraceFile(std::filesystem::path file, const std::string& part, std::uint32_t robots)
     : file_{std::move(file)}, heading_{trace_heading(part, robots)}, buffer_(kBufferSize) {
   open();
-  if (!out_) throw StartError{file_.string() + ": cannot be written"};
+  if (!out_) throw StartError{cannot_write(file_, reason_).what()};
 }
 
 void TraceFile::open() {
@@ -32,6 +33,7 @@ void TraceFile::open() {
   out_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   out_.open(file_, std::ios::binary | std::ios::trunc);
   out_ << heading_ << std::flush;
+  note_reason();
   flushed_ = Clock::now();
 }
 
@@ -41,6 +43,11 @@ void TraceFile::record(std::span<const std::uint8_t> step) {
   for (std::size_t i = 0; i < 4; ++i) length[i] = static_cast<char>(size >> (8 * i));
   out_.write(length.data(), length.size());
   out_.write(reinterpret_cast<const char*>(step.data()), static_cast<std::streamsize>(step.size()));
+  note_reason();
+}
+
+void TraceFile::note_reason() {
+  if (!out_ && reason_ == 0) reason_ = errno;
 }
 
 void TraceFile::restart() { open(); }
@@ -50,7 +57,8 @@ void TraceFile::keep_up() {
   if (out_ && now - flushed_ < kFlushPeriod) return;
   flushed_ = now;
   out_.flush();
-  if (!out_) throw std::runtime_error{file_.string() + ": cannot be written any more"};
+  note_reason();
+  if (!out_) throw cannot_write(file_, reason_);
 }
 
 std::unique_ptr<TraceFile> open_trace(const std::vector<std::string>& files, const std::string& part,

@@ -34,16 +34,19 @@ class TraceFile {
   void restart();
   /// To be called at least twice a second of wall time: what was recorded a second ago survives the death of
   /// the process.
-  /// @throws std::runtime_error when the file cannot be written any more
+  /// @throws WriteError when the file cannot be written any more
   void keep_up();
 
  private:
   void open();
+  /// Keeps why the stream broke; a later call may change errno.
+  void note_reason();
 
   std::filesystem::path file_;
   std::string heading_;
   std::vector<char> buffer_;  // before the stream, which uses it to the last
   std::ofstream out_;
+  int reason_ = 0;
   std::chrono::steady_clock::time_point flushed_;
 };
 

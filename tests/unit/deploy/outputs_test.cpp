@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "deploy/metrics/csv_file.hpp"
 #include "deploy/metrics/record_files.hpp"
 #include "deploy/metrics/run_directory.hpp"
 #include "deploy/metrics/run_record.hpp"
 #include "runtime/config/start_error.hpp"
+#include "runtime/config/write_error.hpp"
 #include "tests/unit/deploy/observations.hpp"
 
 namespace caravan::deploy {
@@ -49,7 +53,8 @@ TEST_F(Outputs, TracksHaveOneRowForEachRobotAndSimulatedSecond) {
   for (int i = 0; i * kStep <= seconds{3}; ++i) {
     files.observe(at(i * kStep, {{0.25 * i, 0.0}, {1.0, 2.0}}));
   }
-  files.close();
+  files.finish();
+  files.flush();
 
   EXPECT_THAT(
       lines_of("tracks.csv"),
@@ -66,7 +71,8 @@ TEST_F(Outputs, TracksSayTransportWithAPathAndExchangeDuringAnExchange) {
   files.observe(with(at(seconds{0}, {{0, 0}}), report));
   report.activity = Activity::kExchanging;
   files.observe(with(at(seconds{1}, {{0, 0}}), report));
-  files.close();
+  files.finish();
+  files.flush();
 
   EXPECT_THAT(lines_of("tracks.csv"), testing::ElementsAre(testing::_, testing::EndsWith(",transport"),
                                                            testing::EndsWith(",exchange")));
@@ -85,7 +91,8 @@ TEST_F(Outputs, TripsAreWrittenWhenTheNextPickUpEndsThemAndTheRestAtTheEnd) {
   files.flush();
   EXPECT_THAT(lines_of("trips.csv"), testing::ElementsAre("robot,trip,picked_up_s,delivered_s,next_pick_up_s",
                                                           "2,1,10.000,20.000,30.000"));
-  files.close();
+  files.finish();
+  files.flush();
 
   EXPECT_EQ(lines_of("trips.csv").back(), "2,2,30.000,,");
 }
@@ -103,7 +110,8 @@ TEST_F(Outputs, EventsTellWhatHappenedToWhomAndQuoteCommas) {
   Observation second = with(at(seconds{2}, {{0, 0}, {1, 1}}), report);
   second.members = {1};
   files.observe(second);
-  files.close();
+  files.finish();
+  files.flush();
 
   EXPECT_THAT(lines_of("events.csv"),
               testing::ElementsAre("time_s,robot,event,detail", "0.000,1,contact,with=2",
@@ -120,7 +128,8 @@ TEST_F(Outputs, ActivitiesHaveARowForEachChangeOnly) {
   files.observe(with(at(seconds{2}, {{0, 0}, {1, 1}}), doing(1, Activity::kAvoiding)));
   files.observe(with(at(seconds{3}, {{0, 0}, {1, 1}}), doing(2, Activity::kExchanging)));
   files.observe(with(at(seconds{4}, {{0, 0}, {1, 1}}), doing(2, Activity::kIdle)));
-  files.close();
+  files.finish();
+  files.flush();
 
   EXPECT_THAT(lines_of("activities.csv"),
               testing::ElementsAre("time_s,robot,activity", "0.000,1,driving", "2.000,1,avoiding",
@@ -139,7 +148,8 @@ TEST_F(Outputs, PathLengthsHaveARowForEachNewPathInUse) {
   report.path_changed = true;
   report.path = {{0, 0}, {3, 4}};
   files.observe(with(at(seconds{3}, {{0, 0}}), report));
-  files.close();
+  files.finish();
+  files.flush();
 
   EXPECT_THAT(lines_of("path_lengths.csv"),
               testing::ElementsAre("time_s,robot,length_m", "1.000,1,6.000", "3.000,1,5.000"));
@@ -152,7 +162,8 @@ TEST_F(Outputs, TheEndOfARunIsNobodysLeaving) {
   end.last = true;
   end.members.clear();
   files.observe(end);
-  files.close();
+  files.finish();
+  files.flush();
 
   EXPECT_THAT(lines_of("events.csv"), testing::SizeIs(1));
 }
@@ -209,6 +220,80 @@ TEST_F(Outputs, ARecordLeavesAllItsFilesAndTheExitCode) {
   }
   EXPECT_THAT(lines_of("paths.csv"),
               testing::ElementsAre("robot,index,x_m,y_m", "1,0,0.0000,0.0000", "1,1,1.5000,2.0000"));
+}
+
+/// While it lives, no file of this process grows beyond `bytes`: what a full disk looks like to a writer.
+class SmallFiles {
+ public:
+  explicit SmallFiles(rlim_t bytes) : signal_{std::signal(SIGXFSZ, SIG_IGN)} {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~SmallFiles() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    (void)std::signal(SIGXFSZ, signal_);
+  }
+  SmallFiles(const SmallFiles&) = delete;
+  SmallFiles& operator=(const SmallFiles&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*signal_)(int);
+};
+
+TEST_F(Outputs, WhenThereIsNoRoomForARowAFileEndsWithTheOneBefore) {
+  CsvFile file{folder_ / "rows.csv", {"name", "value"}};  // 11 bytes
+  {
+    const SmallFiles limit{30};
+    file.row({"first", "1"});  // 8 bytes
+    file.flush();
+    file.row({"second", "2"});  // 9 bytes
+    file.row({"third", "3"});
+    EXPECT_THROW(file.flush(), runtime::WriteError);
+  }
+  EXPECT_THAT(lines_of("rows.csv"), testing::ElementsAre("name,value", "first,1", "second,2"));
+
+  file.flush();  // now there is room
+
+  EXPECT_THAT(lines_of("rows.csv"), testing::ElementsAre("name,value", "first,1", "second,2", "third,3"));
+}
+
+TEST_F(Outputs, ATextThatCannotBeReplacedStays) {
+  write_whole_file(folder_ / "metrics.json", "old");
+  {
+    const SmallFiles limit{10};
+    EXPECT_THROW(write_whole_file(folder_ / "metrics.json", "much longer than the old one"),
+                 runtime::WriteError);
+  }
+  EXPECT_THAT(lines_of("metrics.json"), testing::ElementsAre("old"));
+  EXPECT_FALSE(fs::exists(folder_ / "metrics.json.new"));
+}
+
+TEST_F(Outputs, ARecordThatCannotBeWrittenEndsAndKeepsWhatItHas) {
+  const RunFacts facts{.scenario = "small",
+                       .engine = "embedded",
+                       .mode = "full",
+                       .robots = 1,
+                       .items = 1,
+                       .max_time = seconds{100}};
+  RunRecord record{facts, folder_, nullptr};
+  for (int second = 0; second < 100; ++second) record.observe(at(seconds{second}, {{0, 0}}));
+  Observation end = at(seconds{100}, {{0, 0}});
+  end.items_delivered = 1;
+  record.observe(end);
+  EXPECT_TRUE(record.is_whole());
+  const SmallFiles limit{1500};  // enough for metrics.json of one robot, but not for tracks.csv
+
+  EXPECT_EQ(record.close({}), 1) << "though every item was delivered";
+
+  EXPECT_FALSE(record.is_whole());
+  std::ifstream metrics{folder_ / "metrics.json"};
+  const std::string text{std::istreambuf_iterator<char>{metrics}, {}};
+  EXPECT_THAT(text, testing::HasSubstr("tracks.csv: cannot be written: File too large"));
+  const auto tracks = lines_of("tracks.csv");
+  EXPECT_GT(tracks.size(), 20U);
+  EXPECT_THAT(tracks.back(), testing::EndsWith(",explore"));
 }
 
 TEST_F(Outputs, AFolderThatCannotBeWrittenIsAnErrorOfTheStart) {
