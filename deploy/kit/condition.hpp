@@ -2,29 +2,14 @@
 #pragma once
 
 #include <functional>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
-#include "deploy/control/words.hpp"
+#include "deploy/kit/quantities.hpp"
 #include "deploy/kit/seen.hpp"
 
 namespace caravan::deploy {
-
-/// A number, a word, or a list of names; none: not known yet.
-using Value = std::optional<std::variant<double, std::string, std::vector<std::string>>>;
-using Quantity = std::function<Value(const Seen&)>;
-
-/// One thing that an expectation may be about.
-struct QuantityForm {
-  std::string_view form;  ///< `exchanges ROBOT`
-  std::string_view meaning;
-};
-/// The table of what expectations are about.
-[[nodiscard]] std::span<const QuantityForm> quantity_forms();
 
 /// Something that holds or does not hold at a moment: `gone has "robot 2" and members is 3`.
 ///
@@ -39,6 +24,8 @@ class Condition {
 
   [[nodiscard]] bool holds(const Seen& seen) const;
   [[nodiscard]] const std::string& text() const { return text_; }
+  /// Whether a part of it is about this, as in `sends`.
+  [[nodiscard]] bool asks_for(std::string_view quantity) const;
   /// The present values of the quantities in it.
   [[nodiscard]] std::string values(const Seen& seen) const;
 

@@ -39,6 +39,18 @@ fs::path write_scenario(const DeploymentOptions& options) {
   return file;
 }
 
+/// What the tally of a run needs to know of it.
+RunFacts facts_of(const fs::path& scenario) {
+  const auto document = runtime::TomlDocument::load(scenario);
+  const runtime::ExperimentTable experiment = runtime::read_experiment(document);
+  return {.scenario = {},
+          .engine = "dds",
+          .mode = {},
+          .robots = runtime::read_robots(document).count,
+          .items = experiment.items,
+          .max_time = std::chrono::duration_cast<Time>(std::chrono::duration<double>(experiment.max_time_s))};
+}
+
 fs::path folder_of_binaries(const DeploymentOptions& options) {
   return options.binaries.empty() ? fs::read_symlink("/proc/self/exe").parent_path() : options.binaries;
 }
@@ -66,7 +78,7 @@ Deployment::Deployment(DeploymentOptions options)
       memory_{lock_.domain()},
       ears_{std::make_unique<Ears>(
           runtime::BusConfig{.role = Ears::kName, .domain = lock_.domain(), .lease_s = options_.lease_s},
-          robots_, options_.hold_start)} {}
+          facts_of(scenario_file_), options_.hold_start)} {}
 
 Deployment::~Deployment() {
   note_shared_memory();
@@ -143,7 +155,7 @@ std::string Deployment::signal(const std::string& name, Kind kind) {
   return name + " is running already";
 }
 
-Result Deployment::do_to_processes(const ProcessAction& action) {
+ActionResult Deployment::do_to_processes(const ProcessAction& action) {
   std::string wrong;
   const auto add = [&wrong](const std::string& text) {
     wrong += (wrong.empty() || text.empty() ? "" : "; ") + text;
@@ -173,22 +185,23 @@ Result Deployment::do_to_processes(const ProcessAction& action) {
   return {wrong.empty(), wrong};
 }
 
-Result Deployment::ask(const msg::ControlRequest& request) {
+ActionResult Deployment::ask(const msg::ControlRequest& request) {
   const ControlAnswer answer = ears_->ask(request, kControlPatience);
   if (answer.is_good()) return {true, ""};
   return {false, (answer.kind == ControlAnswer::Kind::kRefused ? "refused: " : "") + answer.reason};
 }
 
-Result Deployment::hold_at(std::uint64_t step) {
+ActionResult Deployment::hold_at(std::uint64_t step) {
   msg::ControlRequest pause;
   pause.action(msg::ControlRequest_Constants::PAUSE);
   pause.at_step(step);
-  if (Result asked = ask(pause); !asked.good) return asked;
+  if (ActionResult asked = ask(pause); !asked.good) return asked;
   const std::string text = "state is paused and step is " + std::to_string(step);
   return expect("the world is held at step " + std::to_string(step), Condition{text}, kHoldPatience);
 }
 
-Result Deployment::step_until(const Condition& condition, std::uint64_t most) {
+ActionResult Deployment::step_until(const Condition& condition, std::uint64_t most) {
+  if (condition.asks_for("sends")) ears_->overhear();
   for (std::uint64_t taken = 0; !condition.holds(seen()); ++taken) {
     const Seen now = seen();
     if (taken == most)
@@ -197,20 +210,20 @@ Result Deployment::step_until(const Condition& condition, std::uint64_t most) {
     msg::ControlRequest step;
     step.action(msg::ControlRequest_Constants::STEP);
     step.steps(1);
-    if (Result asked = ask(step); !asked.good) return asked;
+    if (ActionResult asked = ask(step); !asked.good) return asked;
     const Condition there{"state is paused and step is " + std::to_string(now.step + 1)};
-    if (Result came = expect("one step", there, kStepPatience); !came.good) return came;
+    if (ActionResult came = expect("one step", there, kStepPatience); !came.good) return came;
   }
   return {true, ""};
 }
 
-Result Deployment::act(const std::string& line) {
+ActionResult Deployment::act(const std::string& line) {
   const auto began = Clock::now();
-  Result result = std::visit(
+  ActionResult result = std::visit(
       pure::Overload{[this](const ProcessAction& action) { return do_to_processes(action); },
                      [this](const Go&) {
                        ears_->go();
-                       return Result{true, ""};
+                       return ActionResult{true, ""};
                      },
                      [this](const HoldAt& action) { return hold_at(action.step); },
                      [this](const StepUntil& action) { return step_until(action.condition, action.most); },
@@ -239,8 +252,9 @@ Seen Deployment::seen() {
   return seen;
 }
 
-Result Deployment::expect(const std::string& name, const Condition& condition,
-                          std::chrono::milliseconds within) {
+ActionResult Deployment::expect(const std::string& name, const Condition& condition,
+                                std::chrono::milliseconds within) {
+  if (condition.asks_for("sends")) ears_->overhear();
   const auto began = Clock::now();
   for (;;) {
     const Seen now = seen();

@@ -34,7 +34,7 @@ struct DeploymentOptions {
 };
 
 /// What an action or an expectation led to.
-struct Result {
+struct ActionResult {
   bool good = false;
   std::string text;     ///< why not: what was waited for, and what was seen
   double took_s = 0.0;  ///< wall time
@@ -55,13 +55,13 @@ class Deployment {
 
   /// Does one action of the table, as in `kill robot 2` or `teleport 3 1.0 -2.0`.
   /// @throws WordsError when it is written wrong
-  Result act(const std::string& line);
+  ActionResult act(const std::string& line);
   /// Waits until `condition` holds.
   /// @param name  what it means to the reader, for messages
-  Result expect(const std::string& name, const Condition& condition, std::chrono::milliseconds within);
+  ActionResult expect(const std::string& name, const Condition& condition, std::chrono::milliseconds within);
 
   /// Lets a paused world take single steps until `condition` holds, `most` at most, and leaves it paused.
-  Result step_until(const Condition& condition, std::uint64_t most);
+  ActionResult step_until(const Condition& condition, std::uint64_t most);
 
   [[nodiscard]] Seen seen();
   [[nodiscard]] std::uint32_t domain() const { return lock_.domain(); }
@@ -75,13 +75,13 @@ class Deployment {
     int lives = 0;
   };
 
-  Result do_to_processes(const ProcessAction& action);
+  ActionResult do_to_processes(const ProcessAction& action);
   void start(const std::string& name);
   /// Sends the signal, and for those that end by it waits for that.
   std::string signal(const std::string& name, ProcessAction::Kind kind);
   std::string end(const std::string& name, int number, std::chrono::milliseconds patience);
-  Result ask(const caravan_interfaces::msg::ControlRequest& request);
-  Result hold_at(std::uint64_t step);
+  ActionResult ask(const caravan_interfaces::msg::ControlRequest& request);
+  ActionResult hold_at(std::uint64_t step);
   void note_shared_memory();
   [[nodiscard]] std::string scene(const Seen& seen) const;
   [[nodiscard]] bool is_running(const std::string& name);

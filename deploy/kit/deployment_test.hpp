@@ -67,7 +67,7 @@ class DeploymentTest : public ::testing::Test {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:
-  static ::testing::AssertionResult to_assertion(const Result& result) {
+  static ::testing::AssertionResult to_assertion(const ActionResult& result) {
     return result.good ? ::testing::AssertionSuccess() : ::testing::AssertionFailure() << result.text;
   }
 

@@ -3,8 +3,16 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <variant>
 
+#include "deploy/launcher/listen.hpp"
+#include "deploy/launcher/run_end.hpp"
 #include "idl/stamp.hpp"
+#include "robotPubSubTypes.h"
+#include "robot_agent/core/frames/codec.hpp"
+#include "robot_agent/core/frames/text.hpp"
+#include "runtime/pure/overload.hpp"
 
 namespace caravan::deploy {
 namespace msg = caravan_interfaces::msg;
@@ -32,24 +40,30 @@ double seconds(const builtin_interfaces::msg::Time& stamp) {
 
 }  // namespace
 
-Ears::Ears(const runtime::BusConfig& bus, std::uint32_t robots, bool hold_start)
-    : goes_{!hold_start}, bus_{bus} {
+Ears::Ears(const runtime::BusConfig& bus, RunFacts facts, bool hold_start)
+    : facts_{std::move(facts)}, goes_{!hold_start}, bus_{bus} {
   credit_ = bus_.writer<msg::RunCreditPubSubType>(idl::kRunCredit);
   requester_.join(bus_);
-  for (std::uint32_t robot = 1; robot <= robots; ++robot) {
-    bus_.reader<msg::TelemetryPubSubType>(
-        idl::kTelemetry, robot,
-        [this, robot](const msg::Telemetry& sample, const ParticipantId&) { on_telemetry(robot, sample); });
-  }
-  bus_.reader<msg::WorldTruthPubSubType>(
-      idl::kTruth, 0, [this](const msg::WorldTruth& sample, const ParticipantId&) { on_truth(sample); });
-  bus_.reader<msg::WorldStatusPubSubType>(
-      idl::kWorldStatus, 0,
-      [this](const msg::WorldStatus& sample, const ParticipantId&) { on_status(sample); });
-  bus_.reader<msg::RadioStatusPubSubType>(
-      idl::kRadioStatus, 0,
-      [this](const msg::RadioStatus& sample, const ParticipantId&) { on_radio(sample); });
+  listen(bus_, facts_.robots,
+         {.truth = [this](const msg::WorldTruth& sample) { on_truth(sample); },
+          .world = [this](const msg::WorldStatus& sample) { on_status(sample); },
+          .radio = [this](const msg::RadioStatus& sample) { on_radio(sample); },
+          .telemetry = [this](std::uint32_t robot,
+                              const msg::Telemetry& sample) { on_telemetry(robot, sample); }});
   if (!hold_start) go();
+}
+
+void Ears::overhear() {
+  {
+    const std::lock_guard lock{mutex_};
+    if (std::exchange(overhears_, true)) return;
+  }
+  for (std::uint32_t robot = 1; robot <= facts_.robots; ++robot) {
+    bus_.reader<msg::RadioTransmitPubSubType>(
+        idl::kRadioTransmit, robot, [this, robot](const msg::RadioTransmit& sample, const ParticipantId&) {
+          on_transmit(robot, sample);
+        });
+  }
 }
 
 Ears::~Ears() { bus_.close(); }
@@ -64,6 +78,8 @@ bool Ears::follow_session(std::uint64_t session) {
   seen_.time_s = 0.0;
   seen_.items = seen_.members = 0;
   seen_.digest.clear();
+  book_ = {};
+  seen_.tally = tally_ = std::make_shared<Tally>(facts_);
   note("session " + std::to_string(session));
   return true;
 }
@@ -81,9 +97,15 @@ void Ears::give_credit(const builtin_interfaces::msg::Time& stamp) {
   credit_.write(credit);
 }
 
+void Ears::count() {
+  for (const Observation& step : book_.take()) tally_->observe(step);
+}
+
 void Ears::on_truth(const msg::WorldTruth& truth) {
   const std::lock_guard lock{mutex_};
   if (!follow_session(truth.session())) return;
+  book_.add(truth);
+  count();
   const auto stamp = idl::to_time(truth.stamp());
   const auto period = idl::to_time(truth.next_stamp()) - stamp;
   const auto step = static_cast<std::uint64_t>(period.count() > 0 ? stamp / period : 0);
@@ -133,6 +155,8 @@ void Ears::on_status(const msg::WorldStatus& status) {
   seen_.disturbed = status.disturbed();
   seen_.digest = status.digest();
   seen_.refused_commands = status.refused_commands();
+  world_ = status;
+  tally_->note(run_end(world_, radio_, book_.agents_compute_s()));
   has_news_ = true;
   news_.notify_all();
 }
@@ -142,6 +166,8 @@ void Ears::on_radio(const msg::RadioStatus& status) {
   seen_.radio_is_heard = true;
   seen_.deliveries = status.deliveries();
   seen_.lost_frames = status.lost();
+  radio_ = status;
+  if (tally_) tally_->note(run_end(world_, radio_, book_.agents_compute_s()));
   has_news_ = true;
   news_.notify_all();
 }
@@ -152,6 +178,8 @@ void Ears::on_telemetry(std::uint32_t robot, const msg::Telemetry& telemetry) {
   constexpr std::array kOrigins{"none", "found", "received"};
   const std::lock_guard lock{mutex_};
   if (!follow_session(telemetry.session())) return;
+  book_.add(robot, telemetry);
+  count();
   SeenRobot& one = seen_.robots[robot];
   const std::string mode = word_at(kModes, telemetry.mode());
   const std::string who =
@@ -169,6 +197,22 @@ void Ears::on_telemetry(std::uint32_t robot, const msg::Telemetry& telemetry) {
   }
   for (const msg::AgentEvent& event : telemetry.events())
     note(who + " " + event.name() + " " + event.detail());
+  has_news_ = true;
+  news_.notify_all();
+}
+
+void Ears::on_transmit(std::uint32_t robot, const msg::RadioTransmit& transmit) {
+  std::string sent;
+  for (const msg::RadioFrame& frame : transmit.frames()) {
+    const std::string text = std::visit(
+        pure::Overload{[](agent::DecodeError) { return std::string{"malformed"}; },
+                       [](const auto& message) { return agent::to_text(agent::Message{message}); }},
+        agent::decode(frame.bytes()));
+    sent += (sent.empty() ? "" : " ") + text;
+  }
+  const std::lock_guard lock{mutex_};
+  if (!follow_session(transmit.session())) return;
+  seen_.robots[robot].sent = sent;
   has_news_ = true;
   news_.notify_all();
 }

@@ -4,12 +4,15 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "controlPubSubTypes.h"
 #include "deploy/control/requester.hpp"
 #include "deploy/kit/seen.hpp"
+#include "deploy/launcher/step_book.hpp"
 #include "robotPubSubTypes.h"
 #include "runtime/bus/bus.hpp"
 #include "worldPubSubTypes.h"
@@ -24,8 +27,9 @@ class Ears {
  public:
   static constexpr const char* kName = "kit";
 
+  /// @param facts       of every session
   /// @param hold_start  gives no credit before go()
-  Ears(const runtime::BusConfig& bus, std::uint32_t robots, bool hold_start);
+  Ears(const runtime::BusConfig& bus, RunFacts facts, bool hold_start);
   ~Ears();
   Ears(const Ears&) = delete;
   Ears& operator=(const Ears&) = delete;
@@ -37,6 +41,8 @@ class Ears {
   void forget_world();
   void forget_radio();
   void go();
+  /// From now on also hears what the robots send by radio. Costs every robot a reader more.
+  void overhear();
   /// Asks the newest world. Waits for one to be heard within `patience`, too.
   [[nodiscard]] ControlAnswer ask(caravan_interfaces::msg::ControlRequest request,
                                   std::chrono::milliseconds patience);
@@ -46,6 +52,9 @@ class Ears {
   void on_status(const caravan_interfaces::msg::WorldStatus& status);
   void on_radio(const caravan_interfaces::msg::RadioStatus& status);
   void on_telemetry(std::uint32_t robot, const caravan_interfaces::msg::Telemetry& telemetry);
+  void on_transmit(std::uint32_t robot, const caravan_interfaces::msg::RadioTransmit& transmit);
+  /// Adds to the tally what is whole by now.
+  void count();
   /// False: a sample of a session that is over. A newer one begins a new view of the robots.
   [[nodiscard]] bool follow_session(std::uint64_t session);
   void note(const std::string& event);
@@ -54,8 +63,14 @@ class Ears {
   mutable std::mutex mutex_;
   mutable bool has_news_ = false;
   std::condition_variable news_;
+  RunFacts facts_;
   Seen seen_;
+  StepBook book_;
+  std::shared_ptr<Tally> tally_;
+  std::optional<caravan_interfaces::msg::WorldStatus> world_;  // the newest
+  std::optional<caravan_interfaces::msg::RadioStatus> radio_;
   bool goes_;
+  bool overhears_ = false;
   std::uint64_t credited_step_ = 0;
   Requester requester_;
   runtime::Bus bus_;  // after the state, so that no callback outlives it

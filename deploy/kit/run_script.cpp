@@ -39,10 +39,10 @@ fs::path make_folder(const ScriptRequest& request) {
   return fs::absolute(folder);
 }
 
-Result run_step(Deployment& deployment, const ScriptStep& step) {
-  Result result{true, ""};
+ActionResult run_step(Deployment& deployment, const ScriptStep& step) {
+  ActionResult result{true, ""};
   double took_s = 0.0;
-  const auto go_on = [&](const Result& next) {
+  const auto go_on = [&](const ActionResult& next) {
     result = next;
     took_s += next.took_s;
     return result.good;
@@ -95,7 +95,7 @@ int run_script(const ScriptRequest& request, runtime::Loop& loop) {
     for (const ScriptStep& step : script.steps) {
       Verdict verdict{step.name, Verdict::Kind::kSkipped, "", 0.0};
       if (good && !is_interrupted()) {
-        const Result result = run_step(deployment, step);
+        const ActionResult result = run_step(deployment, step);
         good = result.good;
         verdict.kind = good ? Verdict::Kind::kGood : Verdict::Kind::kFailed;
         verdict.text = result.text;

@@ -6,9 +6,12 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "deploy/kit/tally.hpp"
 
 namespace caravan::deploy {
 
@@ -25,6 +28,7 @@ struct SeenRobot {
   double x_m = 0.0;
   double y_m = 0.0;
   double yaw_rad = 0.0;
+  std::optional<std::string> sent = {};  ///< frames of its newest step, if they are overheard
 };
 
 /// What an observer knows of one process of its own.
@@ -35,7 +39,8 @@ struct SeenProcess {
   pid_t pid = 0;
 };
 
-/// All that an observer of a deployment knows at one moment: what expectations are about. A plain value.
+/// All that an observer of a deployment knows at one moment: what expectations are about. A plain value, but
+/// for the tally, which goes on.
 struct Seen {
   std::string state = "absent";  ///< of the world: absent, waiting, running, paused, finished
   std::uint64_t session = 0;     ///< of the newest world that was heard
@@ -57,6 +62,7 @@ struct Seen {
   std::map<std::uint32_t, SeenRobot> robots;
   std::map<std::string, SeenProcess> processes;  ///< by name: world, radio, robot 3
   std::deque<std::string> events;                ///< the newest few, in words
+  std::shared_ptr<const Tally> tally;            ///< of this session; null: no world was heard
 };
 
 }  // namespace caravan::deploy

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <deque>
-#include <map>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "deploy/launcher/step_book.hpp"
 #include "deploy/metrics/observation.hpp"
-#include "robotPubSubTypes.h"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
 #include "worldPubSubTypes.h"
@@ -17,10 +16,7 @@ namespace caravan::deploy {
 
 /// The launcher's ears on the bus: turns truth and telemetry into observations that miss nothing.
 ///
-/// It gives the world credit, so the world never runs more than 256 steps ahead of it. Each truth names the
-/// robots that have reported in the step before; a step is given out when their reports are here too, however
-/// they overtook each other or were lost and sent again. For a robot that is lost nobody waits, for any other
-/// ten seconds at most.
+/// It gives the world credit, so the world never runs more than 256 steps ahead of it.
 class Observer {
  public:
   /// What has been heard since the last look.
@@ -45,31 +41,13 @@ class Observer {
   void give_credit(Time stamp);
 
  private:
-  struct Step {
-    Observation seen;
-    std::vector<std::uint32_t> reported;  ///< in the step before
-  };
-
-  /// False: a sample of a session that is over.
-  [[nodiscard]] bool follow_session(std::uint64_t session);
-  void on_truth(const caravan_interfaces::msg::WorldTruth& truth);
-  void on_telemetry(std::uint32_t robot, const caravan_interfaces::msg::Telemetry& telemetry);
-  /// Gives out the steps whose reports are all here.
-  void give_out();
-  /// A robot whose report of the oldest step is still on its way.
-  [[nodiscard]] std::optional<std::uint32_t> missing_report() const;
-  [[nodiscard]] bool may_give_out();
+  /// Wakes the loop when there is enough to look at.
+  void tell(bool is_last);
 
   runtime::Loop& loop_;
   std::string name_;
   std::mutex mutex_;
-  std::uint64_t session_ = 0;
-  std::deque<Step> steps_;                           // not given out yet, the newest last
-  std::vector<std::uint32_t> members_;               // by the newest truth
-  std::optional<runtime::WallTime> waiting_since_;   // for a report
-  std::multimap<Time, AgentReport> reports_;         // of steps that are not given out
-  std::map<std::uint32_t, Time> heard_until_;        // each robot's newest report
-  std::map<std::uint32_t, double> agent_compute_s_;  // of every robot that has been heard
+  StepBook book_;
   News news_;
   runtime::Bus bus_;
   runtime::Writer<caravan_interfaces::msg::RunCreditPubSubType> credit_;

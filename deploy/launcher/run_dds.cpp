@@ -10,6 +10,7 @@
 #include "deploy/launcher/children.hpp"
 #include "deploy/launcher/domain_lock.hpp"
 #include "deploy/launcher/observer.hpp"
+#include "deploy/launcher/run_end.hpp"
 #include "deploy/launcher/shared_memory.hpp"
 #include "deploy/metrics/run_record.hpp"
 #include "idl/stamp.hpp"
@@ -206,28 +207,9 @@ bool DdsRun::have_last_statuses() const {
 }
 
 RunEnd DdsRun::so_far() const {
-  RunEnd end;
+  RunEnd end = run_end(newest_.world, newest_.radio, newest_.agents_compute_s);
   end.interrupted = interrupted_;
   end.failure = failure_;
-  if (!newest_.world) return end;
-  end.digest = newest_.world->digest();
-  end.disturbed = newest_.world->disturbed();
-  end.wall_time_s = newest_.world->wall_s();
-  end.time_split.physics_s = newest_.world->physics_s();
-  end.time_split.sensors_s = newest_.world->sensors_s();
-  end.time_split.radio_s = newest_.radio ? newest_.radio->compute_s() : 0.0;
-  end.time_split.agents_s = newest_.agents_compute_s;
-  end.refusals.commands_refused = newest_.world->refused_commands();
-  end.refusals.commands_clamped = newest_.world->clamped_commands();
-  if (newest_.radio) {
-    end.refusals.frames_over_mtu = newest_.radio->over_mtu();
-    end.refusals.frames_on_bad_channel = newest_.radio->bad_channel();
-    end.refusals.frames_lost = newest_.radio->lost();
-    end.refusals.frames_queue_full = newest_.radio->queue_full();
-  }
-  const TimeSplit& split = end.time_split;
-  end.time_split.transport_s =
-      std::max(0.0, end.wall_time_s - split.physics_s - split.sensors_s - split.radio_s - split.agents_s);
   return end;
 }
 

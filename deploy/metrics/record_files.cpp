@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/metrics/record_files.hpp"
 
-#include <algorithm>
 #include <optional>
 
 #include "deploy/metrics/routes.hpp"
@@ -28,13 +27,6 @@ const char* in_words(Activity activity) {
   return "";
 }
 
-std::string in_words(const Exchange& exchange) {
-  return "partner=" + std::to_string(exchange.partner) + " session=" + std::to_string(exchange.session) +
-         " primary=" + (exchange.primary ? "true" : "false") +
-         " completed=" + (exchange.completed ? "true" : "false") + " began_s=" + seconds(exchange.began) +
-         " ended_s=" + seconds(exchange.ended);
-}
-
 }  // namespace
 
 RecordFiles::RecordFiles(const std::filesystem::path& folder, std::uint32_t robots)
@@ -43,46 +35,21 @@ RecordFiles::RecordFiles(const std::filesystem::path& folder, std::uint32_t robo
       events_{folder / "events.csv", {"time_s", "robot", "event", "detail"}},
       activities_{folder / "activities.csv", {"time_s", "robot", "activity"}},
       path_lengths_{folder / "path_lengths.csv", {"time_s", "robot", "length_m"}},
-      robots_(robots) {}
+      robots_(robots),
+      event_book_{robots} {}
 
 RecordFiles::Robot* RecordFiles::find(std::uint32_t robot) {
   return robot == 0 || robot > robots_.size() ? nullptr : &robots_[robot - 1];
 }
 
 void RecordFiles::observe(const Observation& observation) {
-  if (!observation.last) record_membership(observation);
-  record_step(observation);
-  for (const AgentReport& report : observation.agent_reports) record_report(observation.stamp, report);
-  record_tracks(observation);
-}
-
-void RecordFiles::event(Time stamp, std::uint32_t robot, const std::string& name, const std::string& detail) {
-  events_.row({seconds(stamp), std::to_string(robot), name, detail});
-}
-
-void RecordFiles::record_membership(const Observation& observation) {
-  for (std::uint32_t id = 1; id <= robots_.size(); ++id) {
-    Robot& robot = robots_[id - 1];
-    const bool member = std::ranges::binary_search(observation.members, id);
-    if (seen_members_ && member != robot.member) {
-      event(observation.stamp, id, member ? "joined" : "left", "");
-    }
-    robot.member = member;
-  }
-  seen_members_ = true;
-}
-
-void RecordFiles::record_step(const Observation& observation) {
-  for (const Contact& contact : observation.contacts) {
-    event(observation.stamp, contact.robot, "contact",
-          contact.other == 0 ? "with=static" : "with=" + std::to_string(contact.other));
-  }
+  for (const EventRow& row : event_book_.observe(observation))
+    events_.row({seconds(row.stamp), std::to_string(row.robot), row.event, row.detail});
   for (const ItemEvent& item : observation.item_events) {
-    const bool delivery = item.kind == ItemEvent::Kind::kDelivery;
-    event(observation.stamp, item.robot, delivery ? "delivery" : "pick_up",
-          delivery ? "items=" + std::to_string(observation.items_delivered) : "");
     if (const auto ended = trip_book_.add(observation.stamp, item)) record_trip(*ended);
   }
+  for (const AgentReport& report : observation.agent_reports) record_report(observation.stamp, report);
+  record_tracks(observation);
 }
 
 void RecordFiles::record_report(Time stamp, const AgentReport& report) {
@@ -96,10 +63,6 @@ void RecordFiles::record_report(Time stamp, const AgentReport& report) {
   if (report.path_changed && !report.path.empty()) {
     path_lengths_.row({seconds(stamp), std::to_string(report.robot), fixed(path_length_m(report.path), 3)});
   }
-  for (const Exchange& exchange : report.exchanges) {
-    event(stamp, report.robot, "exchange", in_words(exchange));
-  }
-  for (const Event& own : report.events) event(stamp, report.robot, own.name, own.detail);
 }
 
 void RecordFiles::record_tracks(const Observation& observation) {

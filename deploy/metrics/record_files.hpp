@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "deploy/metrics/csv_file.hpp"
+#include "deploy/metrics/event_book.hpp"
 #include "deploy/metrics/observation.hpp"
 #include "deploy/metrics/trip_book.hpp"
 
@@ -29,12 +30,8 @@ class RecordFiles {
   struct Robot {
     Mode mode = Mode::kExplore;
     std::optional<Activity> activity{};  // as last reported
-    bool member = false;
   };
   [[nodiscard]] Robot* find(std::uint32_t robot);
-  void event(Time stamp, std::uint32_t robot, const std::string& name, const std::string& detail);
-  void record_membership(const Observation& observation);
-  void record_step(const Observation& observation);
   void record_report(Time stamp, const AgentReport& report);
   void record_tracks(const Observation& observation);
   void record_trip(const Trip& trip);
@@ -46,8 +43,8 @@ class RecordFiles {
   CsvFile path_lengths_;
   std::vector<Robot> robots_;
   TripBook trip_book_;
+  EventBook event_book_;
   Time next_track_{0};
-  bool seen_members_ = false;
 };
 
 }  // namespace caravan::deploy

@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
 #include "deploy/kit/deployment_test.hpp"
 #include "tests/system/support/process.hpp"
 
@@ -47,11 +52,81 @@ TEST_F(DeploymentKit, FaultsAtAStepGiveTheSameRunEveryTime) {
   EXPECT_NE(digest_of_a_run(false), first);
 }
 
+/// What `caravan run` records of the same run, by the other engine.
+class RecordOfARun {
+ public:
+  RecordOfARun(const std::filesystem::path& scenario, const ScratchFolder& folder) {
+    Process run{{"caravan", "run", scenario, "--engine", "embedded", "--quiet", "--out", folder / "out"},
+                folder / "log"};
+    EXPECT_EQ(run.wait(60s), 1) << "the time runs out: " << run.output();
+    metrics_ = nlohmann::json::parse(read_file(folder / "out/metrics.json"));
+    std::istringstream rows{read_file(folder / "out/events.csv")};
+    std::string row;
+    std::getline(rows, row);  // the header
+    while (std::getline(rows, row)) {
+      const std::size_t robot = row.find(',') + 1;
+      const std::size_t event = row.find(',', robot) + 1;
+      ++events_[{row.substr(event, row.find(',', event) - event),
+                 static_cast<std::uint32_t>(std::stoul(row.substr(robot)))}];
+    }
+  }
+  /// As text, so that numbers, words and what is not known compare alike.
+  [[nodiscard]] std::string metric(std::string key, std::uint32_t robot) const {
+    std::replace(key.begin(), key.end(), '.', '/');
+    const nlohmann::json& found = (robot == 0 ? metrics_ : metrics_.at("per_robot").at(robot - 1))
+                                      .at(nlohmann::json::json_pointer("/" + key));
+    if (found.is_boolean()) return found.get<bool>() ? "yes" : "no";
+    if (found.is_number()) return std::to_string(found.get<double>());
+    return found.is_string() ? found.get<std::string>() : "unknown";
+  }
+  [[nodiscard]] const std::map<std::pair<std::string, std::uint32_t>, std::uint32_t>& events() const {
+    return events_;
+  }
+
+ private:
+  nlohmann::json metrics_;
+  std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> events_;
+};
+
+std::string in_words(const std::optional<deploy::Tally::Number>& metric) {
+  if (!metric) return "unknown";
+  const double* number = std::get_if<double>(&*metric);
+  return number != nullptr ? std::to_string(*number) : std::get<std::string>(*metric);
+}
+
+TEST_F(DeploymentKit, SeesTheMetricsAndEventsThatTheRecordOfTheSameRunHas) {
+  // The destination is in sight of the start, so that much happens in 25 simulated seconds.
+  deploy({.scenario = scenario("small.toml"),
+          .changes = "robots.destination_m = [-1.0, -4.5]\nalgorithm.sharing_starts_s = 2.0\n"
+                     "algorithm.recontact_after_s = 2.0\nexperiment.items = 1000\n"
+                     "experiment.max_time_s = 25.0",
+          .lease_s = 10.0});
+  ASSERT_TRUE(does("start all"));
+  ASSERT_TRUE(comes("the run ends", "state is finished and metric sim_time_s >= 25", 100s));
+  ASSERT_TRUE(comes("its digest is known", "metric digest is not \"\"", 10s));
+  const ScratchFolder record_folder;
+  const RecordOfARun record{deployment().folder() / "scenario.toml", record_folder};
+  const auto tally = seen().tally;
+  for (const std::string& key : deploy::metric_keys().of_run) {
+    if (key.find("wall") != std::string::npos || key == "real_time_factor" || key.starts_with("time_split"))
+      continue;
+    EXPECT_EQ(in_words(tally->metric(key, 0)), record.metric(key, 0)) << key;
+  }
+  for (std::uint32_t robot = 1; robot <= 4; ++robot) {
+    for (const std::string& key : deploy::metric_keys().of_robot)
+      EXPECT_EQ(in_words(tally->metric(key, robot)), record.metric(key, robot)) << key << " " << robot;
+  }
+  EXPECT_GE(record.events().size(), 6U);
+  for (const auto& [what, count] : record.events())
+    EXPECT_EQ(tally->events(what.first, what.second), count) << what.first << " of robot " << what.second;
+  EXPECT_TRUE(comes("in words", "events exchange > 0 and event exchange 1 has partner=", 0s));
+}
+
 TEST_F(DeploymentKit, TellsWhatItWaitedForAndWhatItSaw) {
   deploy({.scenario = scenario("small.toml")});
   ASSERT_TRUE(does("start world"));
   ASSERT_TRUE(comes("the world is up", "state is waiting", 20s));
-  const deploy::Result result =
+  const deploy::ActionResult result =
       deployment().expect("a robot comes", deploy::Condition{"missing lacks \"robot 3\""}, 300ms);
   EXPECT_FALSE(result.good);
   EXPECT_THAT(result.text, HasSubstr("a robot comes: not within 0.3"));

@@ -71,6 +71,44 @@ TEST(Condition, ReadsALog) {
   std::filesystem::remove(file);
 }
 
+TEST(Condition, AsksTheTallyForMetricsAndEvents) {
+  const auto tally = std::make_shared<Tally>(
+      RunFacts{.scenario = {}, .engine = {}, .mode = {}, .robots = 2, .items = 5, .max_time = {}});
+  Observation step;
+  step.members = {1, 2};
+  step.contacts = {{1, 2}, {2, 0}};
+  step.items_delivered = 1;
+  step.item_events = {{ItemEvent::Kind::kDelivery, 2}};
+  tally->observe(step);
+  step.stamp = std::chrono::milliseconds{32};
+  step.contacts = {{2, 0}};
+  step.item_events = {};
+  tally->observe(step);
+  tally->note(RunEnd{.digest = "abc", .disturbed = true, .failure = {}, .time_split = {}, .refusals = {}});
+  Seen seen;
+  EXPECT_FALSE(Condition{"events contact >= 0"}.holds(seen)) << "no world was heard";
+  seen.tally = tally;
+  EXPECT_TRUE(Condition{"metric items_delivered is 1 and metric items 2 is 1"}.holds(seen));
+  EXPECT_TRUE(Condition{"metric contacts.robot_static is 2 and metric disturbed is yes"}.holds(seen));
+  EXPECT_TRUE(Condition{"metric completed is no and metric digest is abc"}.holds(seen));
+  EXPECT_FALSE(Condition{"metric found_s 1 >= 0"}.holds(seen)) << "null in metrics.json";
+  EXPECT_TRUE(Condition{"events contact is 3 and events contact 2 is 2 and events left is 0"}.holds(seen));
+  EXPECT_TRUE(Condition{"event contact 1 has with=2 and event contact 2 is with=static"}.holds(seen));
+  EXPECT_FALSE(Condition{"event left 1 lacks x"}.holds(seen)) << "there was none";
+  EXPECT_EQ((Condition{"metric items 2 > 4"}.values(seen)), "metric = 1");
+}
+
+TEST(Condition, KnowsWhatARobotSendsOnlyWhenItIsOverheard) {
+  Seen seen = some();
+  const Condition condition{"sends 3 has ACCEPT_"};
+  EXPECT_TRUE(condition.asks_for("sends"));
+  EXPECT_FALSE(Condition{"step > 3"}.asks_for("sends"));
+  EXPECT_FALSE(condition.holds(seen));
+  seen.robots[3].sent = "WAIT_3_BUSY ACCEPT_3-1";
+  EXPECT_TRUE(condition.holds(seen));
+  EXPECT_FALSE(Condition{"sends 3 has ACCEPTACK_"}.holds(seen));
+}
+
 TEST(Condition, SaysWhatItSees) {
   EXPECT_EQ((Condition{"gone has x and step > 3 and mode 3 is explore"}.values(some())),
             "gone = [robot 2, radio], step = 120, mode = unknown");
@@ -78,10 +116,19 @@ TEST(Condition, SaysWhatItSees) {
 
 TEST(Condition, RefusesWhatMakesNoSense) {
   const std::vector<std::pair<std::string, std::string>> cases{
-      {"", "is missing"},           {"luck > 3", "nothing is called \"luck\""},
-      {"step", "a comparison"},     {"step about 3", "no comparison"},
-      {"step >", "the value"},      {"step > many", "\"many\" is no number"},
-      {"mode is explore", "robot"}, {"step > 3 or step < 1", "one word too many"},
+      {"", "is missing"},
+      {"luck > 3", "nothing is called \"luck\""},
+      {"step", "a comparison"},
+      {"step about 3", "no comparison"},
+      {"step >", "the value"},
+      {"step > many", "\"many\" is no number"},
+      {"mode is explore", "robot"},
+      {"step > 3 or step < 1", "one word too many"},
+      {"metric luck > 3", "\"luck\""},
+      {"metric items > 3", "robot"},
+      {"metric seed is 1", "\"seed\""},
+      {"events Contact is 1", "lower_snake_case"},
+      {"event contact is 1", "robot"},
   };
   for (const auto& [text, reason] : cases) {
     try {

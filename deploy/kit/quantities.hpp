@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "deploy/control/words.hpp"
+#include "deploy/kit/seen.hpp"
+
+namespace caravan::deploy {
+
+/// A number, a word, or a list of names; none: not known yet.
+using Value = std::optional<std::variant<double, std::string, std::vector<std::string>>>;
+using Quantity = std::function<Value(const Seen&)>;
+
+/// One thing that an expectation may be about.
+struct QuantityForm {
+  std::string_view form;  ///< `exchanges ROBOT`
+  std::string_view meaning;
+};
+/// The table of what expectations are about.
+[[nodiscard]] std::span<const QuantityForm> quantity_forms();
+
+/// The quantity that is called `name`; takes what belongs to it from the words. @throws WordsError
+[[nodiscard]] Quantity read_quantity(const std::string& name, Words& words);
+
+}  // namespace caravan::deploy

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// A robot's process is killed in each phase of pairing and exchange: what it has just sent tells the phase.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <sstream>
+
+#include "tests/system/support/faults.hpp"
+
+namespace caravan::test {
+namespace {
+
+using deploy::Condition;
+using deploy::Seen;
+
+struct Phase {
+  const char* name;
+  const char* frame;            ///< which has been sent in the newest step
+  bool is_secondary;            ///< by the one with the lower id
+  bool kills_receiver = false;  ///< who stands and waits for it, not the one that has sent it
+};
+
+struct Pair {
+  std::uint32_t killed = 0;
+  std::uint32_t partner = 0;
+};
+
+/// Whom the robot has sent this frame to: `ACCEPT_4-2`.
+std::optional<std::uint32_t> receiver_of(const std::string& sent, const std::string& frame,
+                                         std::uint32_t robot) {
+  std::istringstream frames{sent};
+  const std::string begin = frame + "_" + std::to_string(robot) + "-";
+  for (std::string one; frames >> one;) {
+    if (one.starts_with(begin)) return static_cast<std::uint32_t>(std::stoul(one.substr(begin.size())));
+  }
+  return std::nullopt;
+}
+
+class KilledInPairing : public Faults, public ::testing::WithParamInterface<Phase> {
+ protected:
+  static std::optional<Pair> in_phase(const Seen& now) {
+    for (const auto& [robot, one] : now.robots) {
+      if (!one.is_member || !one.sent) continue;
+      const auto partner = receiver_of(*one.sent, GetParam().frame, robot);
+      if (!partner || GetParam().is_secondary != (robot < *partner)) continue;
+      if (!GetParam().kills_receiver) return Pair{robot, *partner};
+      const auto receiver = now.robots.find(*partner);
+      const bool stands = receiver != now.robots.end() && receiver->second.activity == "exchanging";
+      if (stands && receiver->second.sent == "WAIT_" + std::to_string(*partner) + "_BUSY")
+        return Pair{*partner, robot};
+    }
+    return std::nullopt;
+  }
+  /// Steps to the first step of the phase, whoever it is.
+  Pair step_to_the_phase() {
+    EXPECT_TRUE(does("pause"));
+    EXPECT_TRUE(comes("it is paused", "state is paused", 10s));
+    EXPECT_TRUE(comes("everybody is overheard",
+                      "sends 1 has WAIT and sends 2 has WAIT and sends 3 has WAIT and sends 4 has WAIT",
+                      10s));
+    const Condition nobody{"nobody is in it", [](const Seen& now) { return !in_phase(now); }};
+    const Condition somebody{"a robot sends it", [](const Seen& now) { return in_phase(now).has_value(); }};
+    const deploy::ActionResult quiet = deployment().step_until(nobody, 1000);
+    EXPECT_TRUE(quiet.good) << quiet.text;
+    const deploy::ActionResult met = deployment().step_until(somebody, 3000);
+    EXPECT_TRUE(met.good) << met.text;
+    return in_phase(seen()).value_or(Pair{1, 2});
+  }
+};
+
+TEST_P(KilledInPairing, IsNoticedFreesItsPartnerAndComesBackWithoutItsPath) {
+  start_all_busy("", 2.0);
+  const Pair pair = step_to_the_phase();
+  const std::string name = "robot " + std::to_string(pair.killed);
+  const std::string partner = std::to_string(pair.partner);
+  ASSERT_TRUE(does("kill " + name));
+  ASSERT_TRUE(does("resume"));
+  EXPECT_TRUE(comes("its loss is noticed", "gone has \"" + name + "\" and members is 3", 8s));
+  EXPECT_TRUE(comes("its partner is free again",
+                    "activity " + partner + " is not exchanging and member " + partner + " is yes", 10s));
+  EXPECT_TRUE(goes_on());
+
+  // It keeps nothing. The world is held meanwhile, so that the first that it says of itself stands; and it is
+  // put where it does not see the destination, with some steps for the frames of the old place to be
+  // replaced.
+  ASSERT_TRUE(does("pause"));
+  ASSERT_TRUE(does("teleport " + std::to_string(pair.killed) + " 4.5 4.5"));
+  ASSERT_TRUE(does("step 8"));
+  ASSERT_TRUE(comes("it is paused", "state is paused", 10s));
+  ASSERT_TRUE(does("start " + name));
+  EXPECT_TRUE(comes("it starts from its initial state",
+                    "gone lacks \"" + name + "\" and mode " + std::to_string(pair.killed) +
+                        " is explore and path " + std::to_string(pair.killed) + " is none",
+                    15s));
+  ASSERT_TRUE(does("resume"));
+  expect_back_and_working(pair.killed);
+  const std::uint32_t exchanges = seen().robots.at(pair.partner).exchanges;
+  EXPECT_TRUE(
+      comes("its partner exchanges again", "exchanges " + partner + " > " + std::to_string(exchanges), 30s));
+}
+
+INSTANTIATE_TEST_SUITE_P(Phases, KilledInPairing,
+                         ::testing::Values(Phase{"PrimaryThatHasAsked", "ACCEPT", false},
+                                           Phase{"SecondaryThatWaitsForIt", "ACCEPT", false, true},
+                                           Phase{"SecondaryThatHasAgreed", "ACCEPTACK", true},
+                                           Phase{"PrimaryInTheSession", "PATH", false},
+                                           Phase{"SecondaryInTheSession", "PATH", true},
+                                           Phase{"PrimaryThatIsDone", "END", false},
+                                           Phase{"SecondaryThatIsDone", "END", true}),
+                         [](const auto& one) { return one.param.name; });
+
+}  // namespace
+}  // namespace caravan::test

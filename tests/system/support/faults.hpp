@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+
+#include "deploy/kit/deployment_test.hpp"
+#include "tests/system/support/process.hpp"
+
+/// What the tests of faults share. docs/faults.md lists them and what they would catch.
+namespace caravan::test {
+
+using namespace std::chrono_literals;
+
+/// The small room with the destination in sight of the start: soon everybody has a path and exchanges it,
+/// again and again.
+inline constexpr const char* kBusy = R"(
+robots.destination_m = [-1.0, -4.5]
+algorithm.sharing_starts_s = 2.0
+algorithm.recontact_after_s = 2.0
+experiment.items = 100000
+experiment.max_time_s = 100000.0
+)";
+
+class Faults : public deploy::DeploymentTest {
+ protected:
+  void start_busy(const std::string& more = "", double lease_s = 1.0, bool hold_start = false) {
+    deploy({.scenario = scenario("small.toml"),
+            .changes = kBusy + more,
+            .lease_s = lease_s,
+            .hold_start = hold_start});
+  }
+  void start_all_busy(const std::string& more = "", double lease_s = 1.0) {
+    start_busy(more, lease_s);
+    ASSERT_TRUE(does("start all"));
+    ASSERT_TRUE(comes("everybody comes", "step > 20 and members is 4", 30s));
+  }
+  [[nodiscard]] ::testing::AssertionResult goes_on() {
+    const std::string later = "step > " + std::to_string(seen().step + 200);
+    return comes("the run goes on", later, 20s);
+  }
+  /// Suspends a process while it waits. One that is stopped in the middle of a send or a receive may hold a
+  /// lock in shared memory that all others need: a limit of DDS, not what these tests are about.
+  void suspend_at_rest(const std::string& who) {
+    ASSERT_TRUE(does("pause"));
+    ASSERT_TRUE(comes("it is paused", "state is paused", 10s));
+    ASSERT_TRUE(does("suspend " + who));
+    if (who == "world") return;
+    ASSERT_TRUE(does("resume"));
+  }
+  void expect_back_and_working(std::uint32_t robot) {
+    const std::string name = "robot " + std::to_string(robot);
+    const std::string number = std::to_string(robot);
+    EXPECT_TRUE(
+        comes(name + " is back", "gone lacks \"" + name + "\" and member " + number + " is yes", 15s));
+    EXPECT_TRUE(comes(name + " has a path again", "mode " + number + " is transport", 30s));
+  }
+};
+
+}  // namespace caravan::test
