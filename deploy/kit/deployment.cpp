@@ -27,7 +27,7 @@ constexpr auto kStopPatience = 2000ms;
 constexpr auto kKillPatience = 5000ms;
 constexpr auto kControlPatience = 15'000ms;
 constexpr auto kHoldPatience = 60'000ms;
-constexpr auto kStepPatience = 10'000ms;
+constexpr auto kStepPatience = 30'000ms;
 constexpr auto kLookPeriod = 10ms;  // how late the end of a process may be noticed
 
 fs::path write_scenario(const DeploymentOptions& options) {

@@ -30,6 +30,7 @@ Observer::Observer(const runtime::BusConfig& bus, const std::string& name, std::
               [this](const msg::WorldStatus& sample) {
                 const std::lock_guard lock{mutex_};
                 news_.world = sample;
+                ++news_.world_statuses;
                 if (sample.state() == msg::WorldStatus_Constants::FINISHED) loop_.notify();
               },
           .radio =

@@ -24,6 +24,7 @@ class Observer {
     std::vector<Observation> observations;  ///< whole steps, in order
     bool last_seen = false;                 ///< the run is decided and its last observation was among them
     std::optional<caravan_interfaces::msg::WorldStatus> world;  ///< the newest
+    std::uint64_t world_statuses = 0;                           ///< so many were heard by now
     std::optional<caravan_interfaces::msg::RadioStatus> radio;
     double agents_compute_s = 0.0;
   };

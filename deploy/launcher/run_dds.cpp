@@ -12,6 +12,7 @@
 #include "deploy/launcher/observer.hpp"
 #include "deploy/launcher/run_end.hpp"
 #include "deploy/launcher/shared_memory.hpp"
+#include "deploy/launcher/standstill.hpp"
 #include "deploy/metrics/run_record.hpp"
 #include "idl/stamp.hpp"
 #include "runtime/process/run_process.hpp"
@@ -83,6 +84,7 @@ class DdsRun {
   Children children_;
   Wall began_ = std::chrono::steady_clock::now();
   Wall segments_noted_{};
+  Standstill standstill_{began_};
   bool decided_ = false;
   bool stepped_ = false;
   std::size_t agent_processes_ = 0;
@@ -139,7 +141,11 @@ void DdsRun::start_everybody() {
 }
 
 void DdsRun::look() {
+  const std::uint64_t heard = newest_.world_statuses;
   newest_ = observer_.look();
+  const Wall now = std::chrono::steady_clock::now();
+  if (newest_.world_statuses != heard) standstill_.note_world(now);
+  if (!newest_.observations.empty()) standstill_.note_step(now);
   for (const Observation& observation : newest_.observations) record_.observe(observation);
   if (!newest_.observations.empty()) {
     stepped_ = true;
@@ -187,6 +193,8 @@ void DdsRun::follow() {
     look();
     for (const Ended& one : children_.ended()) mourn(one);
     check_start(now);
+    if (const auto why = standstill_.say(now, newest_.world)) std::fprintf(stderr, "%s\n", why->c_str());
+    if (const auto why = standstill_.give_up(now, newest_.world); why && failure_.empty()) failure_ = *why;
     if (now - segments_noted_ > (stepped_ ? kNotePeriodLater : kNotePeriod)) {
       for (const pid_t pid : children_.running()) memory_.note(pid);
       segments_noted_ = now;

@@ -5,11 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
-#include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <optional>
 #include <string>
+#include <thread>
 
 #include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
@@ -19,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// For the figures of a large sweep.
+constexpr std::chrono::seconds kPatience{1800};
 /// Debian's own, for which its matplotlib is installed.
 constexpr const char* kPython = "/usr/bin/python3";
 
@@ -52,6 +56,21 @@ pid_t start(std::vector<std::string> words) {
   return pid;
 }
 
+/// How the process ended; none: it took too long, and was killed.
+std::optional<int> end_of(pid_t pid) {
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  int status = 0;
+  while (waitpid(pid, &status, WNOHANG) != pid) {
+    if (std::chrono::steady_clock::now() > deadline) {
+      kill(pid, SIGKILL);
+      (void)waitpid(pid, &status, 0);
+      return std::nullopt;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds{20});
+  }
+  return status;
+}
+
 }  // namespace
 
 int write_report(const std::vector<fs::path>& folders, const std::optional<fs::path>& out) {
@@ -60,10 +79,13 @@ int write_report(const std::vector<fs::path>& folders, const std::optional<fs::p
   words.emplace_back("--");
   for (const fs::path& folder : folders) words.push_back(folder.string());
   const pid_t pid = start(std::move(words));
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0) {
-    if (errno != EINTR) return runtime::kFailed;
+  const std::optional<int> ended = end_of(pid);
+  if (!ended) {
+    std::fprintf(stderr, "caravan report: drawing took longer than %lld s and was ended\n",
+                 static_cast<long long>(kPatience.count()));
+    return runtime::kFailed;
   }
+  const int status = *ended;
   if (WIFEXITED(status)) return WEXITSTATUS(status);
   return WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM ? runtime::kInterrupted : runtime::kFailed;
 }

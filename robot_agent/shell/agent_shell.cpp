@@ -18,6 +18,7 @@ namespace {
 
 constexpr auto kWatchPeriod = 500ms;  // how late the radio deadline may be noticed
 constexpr auto kSayWaitingAfter = 1s;
+constexpr auto kSayWaitingAgain = 60s;
 
 }  // namespace
 
@@ -99,14 +100,15 @@ const HostedAgent* AgentShell::first_without_world() const {
 
 void AgentShell::say_who_waits(Wall now) {
   const HostedAgent* waiting = first_without_world();
-  if (waiting == nullptr || said_waiting_ || now - began_ < kSayWaitingAfter) return;
+  if (waiting == nullptr || now - began_ < kSayWaitingAfter) return;
+  if (said_waiting_ && now - *said_waiting_ < kSayWaitingAgain) return;
   spdlog::info("waiting for the world: nothing on {} yet", idl::name_for(idl::kSensors, waiting->robot()));
-  said_waiting_ = true;
+  said_waiting_ = now;
 }
 
 AgentShell::Wall AgentShell::next_deadline(Wall now) const {
   const bool idle = said_waiting_ && first_without_world() == &agents_.front();
-  Wall deadline = now + (idle ? 60s : Wall::duration{kWatchPeriod});
+  Wall deadline = now + (idle ? Wall::duration{kSayWaitingAgain} : Wall::duration{kWatchPeriod});
   if (const auto clash = clash_->deadline()) deadline = std::min(deadline, *clash);
   return deadline;
 }

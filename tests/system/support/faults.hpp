@@ -39,7 +39,7 @@ class Faults : public deploy::DeploymentTest {
   }
   [[nodiscard]] ::testing::AssertionResult goes_on() {
     const std::string later = "step > " + std::to_string(seen().step + 200);
-    return comes("the run goes on", later, 20s);
+    return comes("the run goes on", later, 60s);
   }
   /// Suspends a process while it waits. One that is stopped in the middle of a send or a receive may hold a
   /// lock in shared memory that all others need: a limit of DDS, not what these tests are about.
@@ -55,7 +55,7 @@ class Faults : public deploy::DeploymentTest {
     const std::string number = std::to_string(robot);
     EXPECT_TRUE(
         comes(name + " is back", "gone lacks \"" + name + "\" and member " + number + " is yes", 15s));
-    EXPECT_TRUE(comes(name + " has a path again", "mode " + number + " is transport", 30s));
+    EXPECT_TRUE(comes(name + " has a path again", "mode " + number + " is transport", 90s));
   }
 };
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/launcher/standstill.hpp"
+
+#include <chrono>
+#include <vector>
+
+namespace caravan::deploy {
+namespace {
+
+using namespace std::chrono_literals;
+using caravan_interfaces::msg::WorldStatus;
+
+constexpr auto kSayEvery = 5s;
+constexpr auto kSilent = 3s;  // the world speaks once a second at least
+constexpr auto kGivenUp = 60s;
+
+std::string seconds(std::chrono::nanoseconds time) {
+  return std::to_string(std::chrono::duration_cast<std::chrono::seconds>(time).count()) + " s";
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+std::string reason(const std::optional<WorldStatus>& world, std::chrono::nanoseconds silence) {
+  if (!world) return "world_server is not heard yet";
+  if (silence > kSilent) return "world_server has said nothing for " + seconds(silence);
+  if (world->paused()) return "somebody has paused the run, `caravan ctl resume` goes on";
+  if (!world->hung().empty()) return listed(world->hung()) + " does not answer";
+  if (!world->missing().empty()) return listed(world->missing()) + " is missing";
+  return "the world does not say why";
+}
+
+}  // namespace
+
+std::optional<std::string> Standstill::say(runtime::WallTime now, const std::optional<WorldStatus>& world) {
+  if (now - stepped_ < kSayEvery || now - told_ < kSayEvery) return std::nullopt;
+  told_ = now;
+  return "no step for " + seconds(now - stepped_) + ": " + reason(world, now - heard_);
+}
+
+std::optional<std::string> Standstill::give_up(runtime::WallTime now,
+                                               const std::optional<WorldStatus>& world) const {
+  // A world that was never heard is the start's affair, which has a deadline of its own.
+  if (!world || now - heard_ < kGivenUp) return std::nullopt;
+  return "world_server has said nothing for " + seconds(now - heard_) + ": the run is given up";
+}
+
+}  // namespace caravan::deploy

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/launcher/standstill.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace caravan::deploy {
+namespace {
+
+using namespace std::chrono_literals;
+using caravan_interfaces::msg::WorldStatus;
+using ::testing::HasSubstr;
+using ::testing::Optional;
+
+const runtime::WallTime kBegan{1000s};
+
+TEST(Standstill, SaysNothingWhileStepsCome) {
+  Standstill run{kBegan};
+  for (auto now = kBegan; now < kBegan + 30s; now += 1s) {
+    run.note_step(now);
+    run.note_world(now);
+    EXPECT_EQ(run.say(now, WorldStatus{}), std::nullopt);
+  }
+}
+
+TEST(Standstill, SaysEveryFiveSecondsWhatItWaitsFor) {
+  Standstill run{kBegan};
+  int lines = 0;
+  WorldStatus world;
+  world.hung({"robot 3", "radio"});
+  for (auto now = kBegan; now <= kBegan + 21s; now += 250ms) {
+    run.note_world(now);
+    const auto line = run.say(now, world);
+    if (!line) continue;
+    ++lines;
+    EXPECT_THAT(*line, HasSubstr("robot 3, radio does not answer"));
+  }
+  EXPECT_EQ(lines, 4);
+  EXPECT_EQ(run.give_up(kBegan + 21s, world), std::nullopt) << "the world speaks: as long as it takes";
+}
+
+TEST(Standstill, TellsAPauseFromARobotThatIsMissing) {
+  WorldStatus world;
+  world.missing({"robot 2"});
+  Standstill starting{kBegan};
+  starting.note_world(kBegan + 6s);
+  EXPECT_THAT(starting.say(kBegan + 6s, world), Optional(HasSubstr("robot 2 is missing")));
+  world.paused(true);
+  Standstill paused{kBegan};
+  paused.note_world(kBegan + 6s);
+  EXPECT_THAT(paused.say(kBegan + 6s, world), Optional(HasSubstr("caravan ctl resume")));
+}
+
+TEST(Standstill, GivesASilentWorldUpAfterAMinute) {
+  Standstill run{kBegan};
+  run.note_world(kBegan);
+  EXPECT_THAT(run.say(kBegan + 10s, WorldStatus{}), Optional(HasSubstr("has said nothing for 10 s")));
+  EXPECT_EQ(run.give_up(kBegan + 59s, WorldStatus{}), std::nullopt);
+  EXPECT_THAT(run.give_up(kBegan + 60s, WorldStatus{}), Optional(HasSubstr("is given up")));
+  EXPECT_EQ(run.give_up(kBegan + 600s, std::nullopt), std::nullopt) << "its start has another deadline";
+}
+
+}  // namespace
+}  // namespace caravan::deploy
