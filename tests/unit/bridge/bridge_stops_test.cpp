@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stops the wheels of a robot behind a bridge, and how soon.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "runtime/pure/random.hpp"
+#include "tests/unit/bridge/bridge_loop.hpp"
+
+namespace caravan::bridge {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST_F(DrivingLoop, WheelsStop600MillisecondsAfterTheLastCommand) {
+  agent_speaks_ = false;
+  const Time rest = rest_after(5s);
+  EXPECT_GT(rest, 600ms);
+  EXPECT_LE(rest, 600ms + 20ms);
+  EXPECT_THAT(told_, HasSubstr("no command for 600 ms: wheels stopped"));
+  agent_speaks_ = true;
+  run(1s);
+  EXPECT_TRUE(moves_) << "and turn again with the next";
+}
+
+TEST_F(DrivingLoop, GpsLostStopsTheWheelsWithin600Milliseconds) {
+  gps_works_ = false;
+  EXPECT_LE(rest_after(5s), 600ms) << "the receiver says that it has no fix";
+  EXPECT_THAT(told_, HasSubstr("position lost (GPS): wheels stopped"));
+  run(200ms);
+  EXPECT_TRUE(std::isnan(frames_.back().x_m)) << "the agent is told";
+  gps_works_ = true;
+  run(1s);
+  EXPECT_TRUE(moves_);
+  EXPECT_THAT(told_, HasSubstr("position known"));
+}
+
+TEST_F(DrivingLoop, AGpsThatFallsSilentStopsTheWheelsWithin600Milliseconds) {
+  gps_speaks_ = false;
+  EXPECT_LE(rest_after(5s), 600ms);
+  gps_speaks_ = true;
+  run(1s);
+  EXPECT_TRUE(moves_);
+}
+
+TEST_F(DrivingLoop, ARobotThatSendsNothingIsStoppedWithin600Milliseconds) {
+  robot_silent_ = true;
+  EXPECT_LE(rest_after(5s), 600ms);
+  EXPECT_THAT(told_, HasSubstr("robot silent: wheels told to stop"));
+  run(2s);
+  robot_silent_ = false;
+  run(5s);
+  EXPECT_TRUE(moves_) << "recovers without restart";
+}
+
+TEST_F(DrivingLoop, ACableThatIsPulledAndPutBackNeedsNoRestart) {
+  line_whole_ = false;
+  bridge_.robot_down(now_);
+  EXPECT_LE(rest_after(5s), 2s + 250ms + 20ms) << "nobody but the robot's own watchdog can do it";
+  const std::size_t frames = frames_.size();
+  run(3s);
+  EXPECT_EQ(frames_.size(), frames) << "no frames without a robot";
+  line_whole_ = true;
+  robot_.connected(now_);
+  bridge_.robot_up(now_);
+  run(3s);
+  EXPECT_TRUE(moves_);
+}
+
+TEST_F(DrivingLoop, ARobotAsDeliveredStopsTooLateWhenItsCableIsCutAndThatIsSaid) {
+  EXPECT_THAT(told_, HasSubstr("its own watchdog stops it after 2000 ms only; set it to 300 ms"));
+}
+
+/// With the watchdog as docs/bring_your_robot.md wants it.
+class LoopWithQuickWatchdog : public DrivingLoop {
+ protected:
+  LoopWithQuickWatchdog()
+      : DrivingLoop{[] {
+          RobotConfig config = robot_config();
+          config.watchdog = 300ms;
+          return config;
+        }()} {}
+};
+
+TEST_F(LoopWithQuickWatchdog, ACableThatIsCutUnnoticedStopsTheWheelsWithin600Milliseconds) {
+  EXPECT_THAT(told_, Not(HasSubstr("watchdog")));
+  line_whole_ = false;
+  EXPECT_LE(rest_after(5s), 600ms);
+  EXPECT_THAT(told_, HasSubstr("robot silent: wheels told to stop"));
+  run(3s);
+  line_whole_ = true;
+  robot_.connected(now_);
+  bridge_.robot_up(now_);
+  run(3s);
+  EXPECT_TRUE(moves_) << "recovers without restart";
+}
+
+TEST_F(DrivingLoop, ARobotThatIsSwitchedOffAndOnIsFoundAgain) {
+  robot_powered_ = false;
+  run(4s);
+  robot_.disconnected();
+  robot_powered_ = true;
+  run(5s);
+  EXPECT_TRUE(moves_);
+  EXPECT_THAT(told_, HasSubstr("connecting anew"));
+}
+
+TEST_F(DrivingLoop, GarbageBetweenThePacketsHarmsNothing) {
+  pure::Random random{3};
+  for (int i = 0; i < 500; ++i) {
+    arcos::Bytes garbage;
+    for (int byte = 0; byte < 30; ++byte) garbage.push_back(static_cast<std::uint8_t>(random.word()));
+    bridge_.robot_says(garbage, now_);
+    step();
+  }
+  EXPECT_TRUE(moves_);
+  EXPECT_THAT(told_, HasSubstr("garbage on the robot's line"));
+  for (const Frame& frame : frames_) {
+    EXPECT_LT(std::abs(frame.x_m), 100.0);
+    EXPECT_LT(std::abs(frame.left_wheel_rad), 1000.0);
+  }
+}
+
+TEST_F(DrivingLoop, NothingButGarbageIsSilence) {
+  robot_silent_ = true;
+  for (int i = 0; i < 300; ++i) {
+    bridge_.robot_says(arcos::Bytes(20, 0xfa), now_);
+    step();
+  }
+  EXPECT_FALSE(moves_);
+}
+
+TEST_F(DrivingLoop, AnAgentThatIsGoneStopsAtOnce) {
+  agent_speaks_ = false;
+  bridge_.forget_wish(now_);
+  EXPECT_LE(rest_after(5s), 300ms);
+}
+
+TEST_F(DrivingLoop, TheEndLeavesTheRobotSafe) {
+  agent_speaks_ = false;
+  bridge_.close();
+  EXPECT_LE(rest_after(5s), 300ms);
+  EXPECT_FALSE(robot_.is_open());
+}
+
+TEST_F(DrivingLoop, ReportsTheStopButtonAndGoesOnWhenItComesOut) {
+  robot_.press_stop(true);
+  run(500ms);
+  EXPECT_FALSE(moves_);
+  EXPECT_THAT(told_, HasSubstr("emergency stop pressed"));
+  robot_.press_stop(false);
+  run(2s);
+  EXPECT_TRUE(moves_);
+}
+
+TEST_F(DrivingLoop, MotorsSwitchedOffByHandStayOffUntilTheHandTurnsThemOn) {
+  robot_.switch_motors(false);
+  run(3s);
+  EXPECT_FALSE(moves_);
+  EXPECT_THAT(told_, HasSubstr("motors are disabled"));
+  robot_.switch_motors(true);
+  run(2s);
+  EXPECT_TRUE(moves_);
+}
+
+}  // namespace
+}  // namespace caravan::bridge
