@@ -99,6 +99,7 @@ void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
   deploy.add_option("--junit", command.junit, "Report in JUnit XML; without it junit.xml among the logs");
   deploy.add_option("--domain", command.domain, "DDS domain; without it a free one is taken")
       ->check(CLI::Range(0U, 232U));
+  add_transport(deploy, command.transport);
   deploy.add_flag("--check", command.check_only, "Check the script and start nothing");
   deploy.add_flag("--quiet", command.quiet, "Print failures only");
   deploy.footer(script_help());

@@ -73,6 +73,7 @@ struct DeployCommand {
   std::optional<std::filesystem::path> out;
   std::optional<std::filesystem::path> junit;
   std::optional<std::uint32_t> domain;
+  runtime::Transport transport = runtime::Transport::kSharedMemory;
   bool check_only = false;
   bool quiet = false;
 };

@@ -106,6 +106,7 @@ int obey(const deploy::DeployCommand& command) {
                              .out = command.out,
                              .junit = command.junit,
                              .domain = command.domain,
+                             .transport = command.transport,
                              .check_only = command.check_only,
                              .quiet = command.quiet},
                             loop);

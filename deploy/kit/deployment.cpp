@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/kit/deployment.hpp"
 
-#include <signal.h>
-
-#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <utility>
@@ -23,8 +20,6 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 using Kind = ProcessAction::Kind;
 
-constexpr auto kStopPatience = 2000ms;
-constexpr auto kKillPatience = 5000ms;
 constexpr auto kControlPatience = 15'000ms;
 constexpr auto kHoldPatience = 60'000ms;
 constexpr auto kStepPatience = 30'000ms;
@@ -55,11 +50,6 @@ fs::path folder_of_binaries(const DeploymentOptions& options) {
   return options.binaries.empty() ? fs::read_symlink("/proc/self/exe").parent_path() : options.binaries;
 }
 
-std::string file_name(std::string name) {
-  for (char& one : name) one = one == ' ' ? '_' : one;
-  return name;
-}
-
 double seconds(Clock::duration time) { return std::chrono::duration<double>(time).count(); }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -75,114 +65,29 @@ Deployment::Deployment(DeploymentOptions options)
       scenario_file_{write_scenario(options_)},
       robots_{runtime::read_robots(runtime::TomlDocument::load(scenario_file_)).count},
       lock_{options_.domain},
-      memory_{lock_.domain()},
-      ears_{std::make_unique<Ears>(
-          runtime::BusConfig{.role = Ears::kName, .domain = lock_.domain(), .lease_s = options_.lease_s},
-          facts_of(scenario_file_), options_.hold_start)} {}
+      processes_{{.scenario = scenario_file_,
+                  .folder = options_.folder,
+                  .binaries = folder_of_binaries(options_),
+                  .domain = lock_.domain(),
+                  .transport = options_.transport,
+                  .lease_s = options_.lease_s,
+                  .robots = robots_,
+                  .agents_per_process = options_.agents_per_process,
+                  .awaited = Ears::kName,
+                  .arguments = options_.arguments},
+                 [this](const std::string& name) {
+                   if (name == "world") ears_->forget_world();
+                   if (name == "radio") ears_->forget_radio();
+                 }},
+      ears_{std::make_unique<Ears>(runtime::BusConfig{.role = Ears::kName,
+                                                      .domain = lock_.domain(),
+                                                      .lease_s = options_.lease_s,
+                                                      .transport = options_.transport},
+                                   facts_of(scenario_file_), options_.hold_start)} {}
 
 Deployment::~Deployment() {
-  note_shared_memory();
-  for (auto& [name, life] : lives_) {
-    life.process->signal(SIGTERM);
-    life.process->signal(SIGCONT);
-  }
-  const auto deadline = Clock::now() + kStopPatience;
-  for (auto& [name, life] : lives_) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
-    (void)life.process->wait(std::max(left, 0ms));
-  }
-  lives_.clear();
-}
-
-void Deployment::start(const std::string& name) {
-  const fs::path binaries = folder_of_binaries(options_);
-  const bool is_robot = name.starts_with("robot ");
-  std::vector<std::string> line{binaries / (is_robot          ? "robot_agent"
-                                            : name == "world" ? "world_server"
-                                                              : "radio_emulator"),
-                                "--scenario",
-                                scenario_file_,
-                                "--domain",
-                                std::to_string(lock_.domain()),
-                                "--lease",
-                                std::to_string(options_.lease_s)};
-  if (name == "world") line.insert(line.end(), {"--await", Ears::kName});
-  if (is_robot) line.insert(line.end(), {"--robot", name.substr(6)});
-  if (const auto more = options_.arguments.find(name); more != options_.arguments.end())
-    line.insert(line.end(), more->second.begin(), more->second.end());
-  Life& life = lives_[name];
-  const std::string number = ++life.lives == 1 ? "" : "." + std::to_string(life.lives);
-  life.suspended = false;
-  life.process = std::make_unique<Process>(line, options_.folder / (file_name(name) + number + ".log"));
-}
-
-bool Deployment::is_running(const std::string& name) {
-  const auto found = lives_.find(name);
-  return found != lives_.end() && !found->second.process->wait(0ms);
-}
-
-std::string Deployment::end(const std::string& name, int number, std::chrono::milliseconds patience) {
-  Process& process = *lives_.at(name).process;
-  memory_.note(process.pid());
-  process.signal(number);
-  process.signal(SIGCONT);
-  if (!process.wait(patience))
-    return name + " did not end within " + std::to_string(patience.count()) + " ms";
-  if (name == "world") ears_->forget_world();
-  if (name == "radio") ears_->forget_radio();
-  return "";
-}
-
-std::string Deployment::signal(const std::string& name, Kind kind) {
-  if (!is_running(name)) return name + " is not running";
-  switch (kind) {
-    case Kind::kKill:
-    case Kind::kRestart:
-      return end(name, SIGKILL, kKillPatience);
-    case Kind::kStop:
-      return end(name, SIGTERM, kStopPatience);
-    case Kind::kSuspend:
-      lives_.at(name).process->signal(SIGSTOP);
-      lives_.at(name).suspended = true;
-      return "";
-    case Kind::kContinue:
-      lives_.at(name).process->signal(SIGCONT);
-      lives_.at(name).suspended = false;
-      return "";
-    case Kind::kStart:
-      break;
-  }
-  return name + " is running already";
-}
-
-ActionResult Deployment::do_to_processes(const ProcessAction& action) {
-  std::string wrong;
-  const auto add = [&wrong](const std::string& text) {
-    wrong += (wrong.empty() || text.empty() ? "" : "; ") + text;
-  };
-  if (action.kind == Kind::kKill || action.kind == Kind::kRestart) {
-    // All at once, then one after the other for their ends.
-    for (const std::string& name : action.names) {
-      if (!is_running(name)) continue;
-      memory_.note(lives_.at(name).process->pid());
-      lives_.at(name).process->signal(SIGKILL);
-    }
-  }
-  for (const std::string& name : action.names) {
-    const bool starts = action.kind == Kind::kStart;
-    const bool is_known = lives_.contains(name);
-    if (starts && !is_running(name)) {
-      start(name);
-    } else if (!is_known) {
-      add(name + " was never started");
-    } else if (action.kind == Kind::kKill || action.kind == Kind::kRestart) {
-      add(end(name, SIGKILL, kKillPatience));
-    } else {
-      add(signal(name, action.kind));
-    }
-    if (action.kind == Kind::kRestart && is_known) start(name);
-  }
-  return {wrong.empty(), wrong};
+  processes_.note_shared_memory();
+  processes_.stop_all();
 }
 
 ActionResult Deployment::ask(const msg::ControlRequest& request) {
@@ -220,7 +125,10 @@ ActionResult Deployment::step_until(const Condition& condition, std::uint64_t mo
 ActionResult Deployment::act(const std::string& line) {
   const auto began = Clock::now();
   ActionResult result = std::visit(
-      pure::Overload{[this](const ProcessAction& action) { return do_to_processes(action); },
+      pure::Overload{[this](const ProcessAction& action) {
+                       const std::string wrong = processes_.act(action);
+                       return ActionResult{wrong.empty(), wrong};
+                     },
                      [this](const Go&) {
                        ears_->go();
                        return ActionResult{true, ""};
@@ -234,20 +142,11 @@ ActionResult Deployment::act(const std::string& line) {
   return result;
 }
 
-void Deployment::note_shared_memory() {
-  for (auto& [name, life] : lives_) {
-    if (!life.process->wait(0ms)) memory_.note(life.process->pid());
-  }
-  noted_ = Clock::now();
-}
-
 Seen Deployment::seen() {
   Seen seen = ears_->seen();
-  for (auto& [name, life] : lives_) {
-    const auto exit_code = life.process->wait(0ms);
-    const char* state = exit_code ? "ended" : life.suspended ? "suspended" : "running";
-    seen.processes[name] = {state, exit_code, life.process->log(), life.process->pid()};
-    if (name == "world" && exit_code) seen.state = "absent";
+  seen.processes = processes_.seen();
+  if (const auto world = seen.processes.find("world"); world != seen.processes.end()) {
+    if (world->second.exit_code) seen.state = "absent";
   }
   return seen;
 }
@@ -267,7 +166,10 @@ ActionResult Deployment::expect(const std::string& name, const Condition& condit
       report += "\n  seen: " + condition.values(now) + "\n" + scene(now);
       return {false, std::move(report), took_s};
     }
-    if (Clock::now() - noted_ > 2s) note_shared_memory();
+    if (Clock::now() - noted_ > 2s) {
+      processes_.note_shared_memory();
+      noted_ = Clock::now();
+    }
     ears_->wait_for_news(kLookPeriod);
   }
 }

@@ -14,10 +14,10 @@
 #include "deploy/kit/actions.hpp"
 #include "deploy/kit/condition.hpp"
 #include "deploy/kit/ears.hpp"
-#include "deploy/kit/process.hpp"
+#include "deploy/kit/processes.hpp"
 #include "deploy/kit/seen.hpp"
 #include "deploy/launcher/domain_lock.hpp"
-#include "deploy/launcher/shared_memory.hpp"
+#include "runtime/bus/transport.hpp"
 
 namespace caravan::deploy {
 
@@ -26,9 +26,11 @@ struct DeploymentOptions {
   std::string changes = {};             ///< TOML that is laid over it: `experiment.items = 10`
   std::filesystem::path folder = {};    ///< exists; the effective scenario and the logs go there
   std::filesystem::path binaries = {};  ///< folder of world_server and the others; empty: of this program
-  std::optional<std::uint32_t> domain = {};  ///< none: a free one
-  double lease_s = 2.0;                      ///< of every process: silent for so long, it counts as gone
-  bool hold_start = false;                   ///< the world begins only after the action `go`
+  std::optional<std::uint32_t> domain = {};                          ///< none: a free one
+  runtime::Transport transport = runtime::Transport::kSharedMemory;  ///< of every process, and of the kit
+  double lease_s = 2.0;                  ///< of every process: silent for so long, it counts as gone
+  std::uint32_t agents_per_process = 1;  ///< robots that share a process live and die together
+  bool hold_start = false;               ///< the world begins only after the action `go`
   std::map<std::string, std::vector<std::string>> arguments = {};  ///< further ones, by process name
   std::function<bool()> is_interrupted = {};                       ///< ends every wait
 };
@@ -69,30 +71,16 @@ class Deployment {
   [[nodiscard]] const std::filesystem::path& folder() const { return options_.folder; }
 
  private:
-  struct Life {
-    std::unique_ptr<Process> process;
-    bool suspended = false;
-    int lives = 0;
-  };
-
-  ActionResult do_to_processes(const ProcessAction& action);
-  void start(const std::string& name);
-  /// Sends the signal, and for those that end by it waits for that.
-  std::string signal(const std::string& name, ProcessAction::Kind kind);
-  std::string end(const std::string& name, int number, std::chrono::milliseconds patience);
   ActionResult ask(const caravan_interfaces::msg::ControlRequest& request);
   ActionResult hold_at(std::uint64_t step);
-  void note_shared_memory();
   [[nodiscard]] std::string scene(const Seen& seen) const;
-  [[nodiscard]] bool is_running(const std::string& name);
 
   DeploymentOptions options_;
   std::filesystem::path scenario_file_;
   std::uint32_t robots_ = 0;
   DomainLock lock_;
-  SharedMemory memory_;
+  Processes processes_;
   std::unique_ptr<Ears> ears_;
-  std::map<std::string, Life> lives_;
   std::chrono::steady_clock::time_point noted_{};
 };
 

@@ -88,7 +88,9 @@ int run_script(const ScriptRequest& request, runtime::Loop& loop) {
                            .changes = script.changes,
                            .folder = folder,
                            .domain = request.domain,
+                           .transport = request.transport,
                            .lease_s = script.lease_s,
+                           .agents_per_process = script.agents_per_process,
                            .hold_start = script.hold_start,
                            .is_interrupted = is_interrupted}};
     if (!request.quiet) std::printf("DDS domain %u, logs in %s\n", deployment.domain(), folder.c_str());

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/bus/transport.hpp"
 #include "runtime/process/loop.hpp"
 
 namespace caravan::deploy {
@@ -16,6 +17,7 @@ struct ScriptRequest {
   std::optional<std::filesystem::path> out;    ///< for the logs; none: deployments/<script>-<time>
   std::optional<std::filesystem::path> junit;  ///< report file; none: junit.xml among the logs
   std::optional<std::uint32_t> domain;         ///< none: a free one
+  runtime::Transport transport = runtime::Transport::kSharedMemory;
   bool check_only = false;
   bool quiet = false;
 };
@@ -24,8 +26,7 @@ struct ScriptRequest {
 ///
 /// @return 0 everything came as expected, 3 something did not, 130 interrupted
 /// @throws runtime::StartError when the script is wrong or nothing can be started, runtime::WriteError when
-/// the
-///         report cannot be written
+///         the report cannot be written
 [[nodiscard]] int run_script(const ScriptRequest& request, runtime::Loop& loop);
 
 /// The tables of actions and of what expectations are about, for --help.

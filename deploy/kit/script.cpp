@@ -117,6 +117,7 @@ Script load_script(const std::filesystem::path& file) {
   script.scenario = file.parent_path() / scenario;
   root.read("lease_s", script.lease_s, {0.5, 60.0});
   root.read("hold_start", script.hold_start);
+  root.read("agents_per_process", script.agents_per_process, {1, 65535});
   (void)root.table("changes");
   if (const toml::table* changes = tree.get_as<toml::table>("changes")) {
     std::ostringstream text;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ struct Script {
   std::string changes;  ///< TOML that is laid over the scenario
   double lease_s = 2.0;
   bool hold_start = false;
+  std::uint32_t agents_per_process = 1;
   std::vector<ScriptStep> steps;
 };
 

@@ -136,6 +136,37 @@ TEST_F(DeploymentKit, TellsWhatItWaitedForAndWhatItSaw) {
   EXPECT_THAT(result.text, HasSubstr("logs: "));
 }
 
+TEST_F(DeploymentKit, RobotsThatShareAProcessDieAndComeBackTogether) {
+  deploy({.scenario = scenario("small.toml"),
+          .changes = "robots.count = 3\nexperiment.items = 1000",
+          .lease_s = 1.0,
+          .agents_per_process = 2});
+  ASSERT_TRUE(does("start all"));
+  ASSERT_TRUE(comes("it runs", "members is 3 and step > 50", 20s));
+  const auto processes = seen().processes;
+  EXPECT_EQ(processes.at("robot 1").pid, processes.at("robot 2").pid);
+  EXPECT_NE(processes.at("robot 1").pid, processes.at("robot 3").pid) << "the last group is smaller";
+  ASSERT_TRUE(does("kill robot 2"));
+  EXPECT_TRUE(comes("both are gone",
+                    "gone has \"robot 1\" and gone has \"robot 2\" and members is 1 and exit robot 1 is 137",
+                    20s));
+  ASSERT_TRUE(does("start robot 1-2"));
+  EXPECT_TRUE(comes("both are back", "gone is none and members is 3 and process robot 2 is running", 20s));
+  EXPECT_TRUE(std::filesystem::exists(deployment().folder() / "robots_1-2.2.log"));
+  EXPECT_EQ(seen().processes.at("robot 3").pid, processes.at("robot 3").pid);
+}
+
+TEST_F(DeploymentKit, GoesByTheTransportThatItIsTold) {
+  deploy({.scenario = scenario("small.toml"), .transport = runtime::Transport::kUdp});
+  ASSERT_TRUE(does("start all"));
+  ASSERT_TRUE(comes("it runs", "members is 4 and step > 50", 30s));
+  for (const auto& [name, process] : seen().processes) {
+    const std::string maps = read_file("/proc/" + std::to_string(process.pid) + "/maps");
+    EXPECT_THAT(maps, HasSubstr("libfastrtps")) << name;
+    EXPECT_THAT(maps, ::testing::Not(HasSubstr("/dev/shm/fastrtps"))) << name << " shares memory";
+  }
+}
+
 TEST_F(DeploymentKit, LeavesNothingBehind) {
   std::uint32_t domain = 0;
   {
@@ -153,10 +184,11 @@ TEST_F(DeploymentKit, LeavesNothingBehind) {
 
 class DeployCommand : public ::testing::Test {
  protected:
-  int run(const std::string& steps) {
+  int run(const std::string& steps, const std::vector<std::string>& options = {}) {
     write_file(folder_ / "script.toml", "scenario = \"" + scenario("small.toml").string() + "\"\n" + steps);
-    Process process{{"caravan", "deploy", folder_ / "script.toml", "--out", folder_ / "out"},
-                    folder_ / "log"};
+    std::vector<std::string> line{"caravan", "deploy", folder_ / "script.toml", "--out", folder_ / "out"};
+    line.insert(line.end(), options.begin(), options.end());
+    Process process{line, folder_ / "log"};
     const auto code = process.wait(60s);
     output_ = process.output();
     return code.value_or(-1);
@@ -170,6 +202,12 @@ TEST_F(DeployCommand, EndsWithZeroWhenEverythingComesAsExpected) {
             0)
       << output_;
   EXPECT_THAT(read_file(folder_ / "out/junit.xml"), HasSubstr("name=\"it runs\" time="));
+}
+
+TEST_F(DeployCommand, GoesByTheTransportThatItIsTold) {
+  write_file(folder_ / "lan.xml", "not a profile");
+  EXPECT_EQ(run("[[step]]\ndo = \"start world\"\n", {"--transport", folder_ / "lan.xml"}), 2);
+  EXPECT_THAT(output_, HasSubstr("lan.xml"));
 }
 
 TEST_F(DeployCommand, EndsWithThreeWhenAnExpectationIsNotMet) {

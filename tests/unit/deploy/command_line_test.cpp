@@ -115,6 +115,12 @@ TEST(CommandLine, ComparesTwoRuns) {
   EXPECT_EQ(std::get<DiffCommand>(command).other, "runs/b");
 }
 
+TEST(CommandLine, DeploysAScriptOverSharedMemoryUnlessToldOtherwise) {
+  EXPECT_EQ(std::get<DeployCommand>(read({"deploy", "a.toml"})).transport, runtime::Transport::kSharedMemory);
+  EXPECT_EQ(std::get<DeployCommand>(read({"deploy", "a.toml", "--transport", "udp"})).transport,
+            runtime::Transport::kUdp);
+}
+
 TEST(CommandLine, ChecksWithoutRunning) {
   const auto command = read({"check", "small.toml"});
   EXPECT_EQ(std::get<CheckCommand>(command).scenario, "small.toml");

@@ -47,6 +47,7 @@ TEST_F(ScriptFile, IsReadWhole) {
 name = "a night shift"
 hold_start = true
 lease_s = 1.0
+agents_per_process = 2
 [changes.experiment]
 items = 9
 [[step]]
@@ -61,6 +62,7 @@ when = "members is 4"
   EXPECT_EQ(script.name, "a night shift");
   EXPECT_TRUE(script.hold_start);
   EXPECT_EQ(script.lease_s, 1.0);
+  EXPECT_EQ(script.agents_per_process, 2U);
   EXPECT_THAT(script.changes, HasSubstr("items = 9"));
   ASSERT_EQ(script.steps.size(), 2U);
   EXPECT_THAT(script.steps[0].actions, ElementsAre("start all", " go", " teleport 1 2 3"));
@@ -78,6 +80,7 @@ TEST_F(ScriptFile, IsRefusedBeforeAnythingStarts) {
   EXPECT_THAT(error_of("[[step]]\nwait_s = 3\n"), HasSubstr("unknown key"));
   EXPECT_THAT(error_of("[[step]]\nat_s = 3.0\nat_step = 4\n"), HasSubstr("not both"));
   EXPECT_THAT(error_of("colour = 3\n[[step]]\n"), HasSubstr("colour: unknown key"));
+  EXPECT_THAT(error_of("agents_per_process = 0\n[[step]]\n"), HasSubstr("agents_per_process"));
   EXPECT_THAT(error_of("hold_start = true\n"), HasSubstr("at least one [[step]]"));
   EXPECT_THAT(error_of("[changes.robots]\ncount = -3\n[[step]]\n"), HasSubstr("robots.count"));
 }

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "deploy/kit/processes.hpp"
+
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+namespace caravan::deploy {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kStopPatience = 2000ms;
+constexpr auto kKillPatience = 5000ms;
+
+constexpr std::string_view kRobot = "robot ";
+constexpr std::string_view kRobots = "robots ";
+
+/// Of a process `robot 3` or `robots 1-4`.
+struct Numbers {
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+};
+
+std::string file_name(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
+/// Robots 1 to 4 are a group, 5 to 8 the next, and so on; the last may be smaller.
+Numbers group_of(std::uint32_t robot, const ProcessSetup& setup) {
+  const std::uint32_t first = robot - (robot - 1) % setup.agents_per_process;
+  return {first, std::min(setup.robots, first + setup.agents_per_process - 1)};
+}
+
+}  // namespace
+
+Processes::Processes(ProcessSetup setup, std::function<void(const std::string&)> on_end)
+    : setup_{std::move(setup)}, on_end_{std::move(on_end)}, memory_{setup_.domain} {}
+
+void Processes::stop_all() {
+  note_shared_memory();
+  for (auto& [name, life] : lives_) {
+    life.process->signal(SIGTERM);
+    life.process->signal(SIGCONT);
+  }
+  const auto deadline = Clock::now() + kStopPatience;
+  for (auto& [name, life] : lives_) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+    (void)life.process->wait(std::max(left, 0ms));
+  }
+}
+
+std::string Processes::process_of(const std::string& name) const {
+  if (!name.starts_with(kRobot)) return name;
+  const auto [first, last] =
+      group_of(static_cast<std::uint32_t>(std::stoul(name.substr(kRobot.size()))), setup_);
+  if (first == last) return std::string{kRobot} + std::to_string(first);
+  return std::string{kRobots} + std::to_string(first) + "-" + std::to_string(last);
+}
+
+std::vector<std::string> Processes::processes_of(const std::vector<std::string>& names) const {
+  std::vector<std::string> processes;
+  for (const std::string& name : names) {
+    const std::string process = process_of(name);
+    if (std::find(processes.begin(), processes.end(), process) == processes.end())
+      processes.push_back(process);
+  }
+  return processes;
+}
+
+std::vector<std::string> Processes::command_line(const std::string& name) const {
+  const char* program = name == "world" ? "world_server" : name == "radio" ? "radio_emulator" : "robot_agent";
+  std::vector<std::string> line{setup_.binaries / program,
+                                "--scenario",
+                                setup_.scenario,
+                                "--domain",
+                                std::to_string(setup_.domain),
+                                "--lease",
+                                std::to_string(setup_.lease_s),
+                                "--transport",
+                                to_text(setup_.transport)};
+  if (name == "world") line.insert(line.end(), {"--await", setup_.awaited});
+  if (name.starts_with(kRobot)) line.insert(line.end(), {"--robot", name.substr(kRobot.size())});
+  if (name.starts_with(kRobots)) line.insert(line.end(), {"--robots", name.substr(kRobots.size())});
+  if (const auto more = setup_.arguments.find(name); more != setup_.arguments.end())
+    line.insert(line.end(), more->second.begin(), more->second.end());
+  return line;
+}
+
+void Processes::start(const std::string& name) {
+  Life& life = lives_[name];
+  const std::string number = ++life.lives == 1 ? "" : "." + std::to_string(life.lives);
+  life.suspended = false;
+  life.process =
+      std::make_unique<Process>(command_line(name), setup_.folder / (file_name(name) + number + ".log"));
+}
+
+bool Processes::is_running(const std::string& name) const {
+  const auto found = lives_.find(name);
+  return found != lives_.end() && !found->second.process->wait(0ms);
+}
+
+std::string Processes::end(const std::string& name, int number, std::chrono::milliseconds patience) {
+  Process& process = *lives_.at(name).process;
+  memory_.note(process.pid());
+  process.signal(number);
+  process.signal(SIGCONT);
+  if (!process.wait(patience))
+    return name + " did not end within " + std::to_string(patience.count()) + " ms";
+  on_end_(name);
+  return "";
+}
+
+std::string Processes::do_to(const std::string& name, Kind kind) {
+  if (kind == Kind::kStart) {
+    if (is_running(name)) return name + " is running already";
+    start(name);
+    return "";
+  }
+  if (!lives_.contains(name)) return name + " was never started";
+  Life& life = lives_.at(name);
+  switch (kind) {
+    case Kind::kKill:
+    case Kind::kRestart: {
+      std::string wrong = end(name, SIGKILL, kKillPatience);
+      if (kind == Kind::kRestart) start(name);
+      return wrong;
+    }
+    case Kind::kStop:
+      return is_running(name) ? end(name, SIGTERM, kStopPatience) : name + " is not running";
+    case Kind::kSuspend:
+    case Kind::kContinue:
+      if (!is_running(name)) return name + " is not running";
+      life.suspended = kind == Kind::kSuspend;
+      life.process->signal(life.suspended ? SIGSTOP : SIGCONT);
+      return "";
+    case Kind::kStart:
+      break;
+  }
+  return "";
+}
+
+std::string Processes::act(const ProcessAction& action) {
+  const std::vector<std::string> names = processes_of(action.names);
+  if (action.kind == Kind::kKill || action.kind == Kind::kRestart) {
+    // All at once, then one after the other for their ends.
+    for (const std::string& name : names) {
+      if (!is_running(name)) continue;
+      memory_.note(lives_.at(name).process->pid());
+      lives_.at(name).process->signal(SIGKILL);
+    }
+  }
+  std::string wrong;
+  for (const std::string& name : names) {
+    const std::string text = do_to(name, action.kind);
+    wrong += (wrong.empty() || text.empty() ? "" : "; ") + text;
+  }
+  return wrong;
+}
+
+void Processes::note_shared_memory() {
+  for (const auto& [name, life] : lives_) {
+    if (!life.process->wait(0ms)) memory_.note(life.process->pid());
+  }
+}
+
+std::map<std::string, SeenProcess> Processes::seen() const {
+  std::map<std::string, SeenProcess> seen;
+  const auto add = [&](const std::string& who) {
+    const auto found = lives_.find(process_of(who));
+    if (found == lives_.end()) return;
+    const Life& life = found->second;
+    const auto exit_code = life.process->wait(0ms);
+    const char* state = exit_code ? "ended" : life.suspended ? "suspended" : "running";
+    seen[who] = {state, exit_code, life.process->log(), life.process->pid()};
+  };
+  add("world");
+  add("radio");
+  for (std::uint32_t robot = 1; robot <= setup_.robots; ++robot)
+    add(std::string{kRobot} + std::to_string(robot));
+  return seen;
+}
+
+}  // namespace caravan::deploy
