@@ -24,6 +24,7 @@
 #include "runtime/bus/place.hpp"
 #include "runtime/bus/profile.hpp"
 #include "runtime/bus/qos.hpp"
+#include "runtime/bus/quiet_start.hpp"
 #include "runtime/bus/shared_memory_port.hpp"
 #include "runtime/bus/start_deadline.hpp"
 #include "runtime/config/start_error.hpp"
@@ -60,6 +61,7 @@ dds::DomainParticipant* join(const BusConfig& config, dds::DomainParticipantQos 
                              dds::DomainParticipantListener* listener) {
   const StartDeadline deadline{config.domain};
   auto* const factory = dds::DomainParticipantFactory::get_instance();
+  const SendGate gate = hold_back_network(qos);
   auto* const participant =
       factory->create_participant(config.domain, qos, listener, dds::StatusMask::none());
   if (participant == nullptr) return nullptr;
@@ -70,7 +72,9 @@ dds::DomainParticipant* join(const BusConfig& config, dds::DomainParticipantQos 
     place->settle(wire.builtin, own);
     participant->set_qos(qos);
   }
-  if (participant->enable() == ReturnCode_t::RETCODE_OK) return participant;
+  const bool is_enabled = participant->enable() == ReturnCode_t::RETCODE_OK;
+  *gate = true;
+  if (is_enabled) return participant;
   factory->delete_participant(participant);
   return nullptr;
 }

@@ -29,13 +29,13 @@ void load_once(const std::filesystem::path& file) {
   loaded = file;
 }
 
+}  // namespace
+
 bool is_shared_memory(
     const std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface>& transport) {
   return dynamic_cast<const eprosima::fastdds::rtps::SharedMemTransportDescriptor*>(transport.get()) !=
          nullptr;
 }
-
-}  // namespace
 
 dds::DomainParticipantQos read_profile(const std::filesystem::path& file) {
   load_once(file);

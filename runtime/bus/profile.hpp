@@ -3,6 +3,7 @@
 
 #include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
 #include <filesystem>
+#include <memory>
 
 namespace caravan::runtime {
 
@@ -15,6 +16,8 @@ inline constexpr const char* kProfileName = "caravan";
 /// @throws StartError when it cannot be read or has no such profile; DDS has said on standard error why
 [[nodiscard]] eprosima::fastdds::dds::DomainParticipantQos read_profile(const std::filesystem::path& file);
 
+[[nodiscard]] bool is_shared_memory(
+    const std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface>& transport);
 /// Whether one of its transports is shared memory.
 [[nodiscard]] bool uses_shared_memory(const eprosima::fastdds::dds::DomainParticipantQos& qos);
 [[nodiscard]] bool uses_shared_memory_alone(const eprosima::fastdds::dds::DomainParticipantQos& qos);
