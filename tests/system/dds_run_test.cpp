@@ -55,15 +55,8 @@ class DdsRun : public ::testing::Test {
     return nlohmann::json::parse(read_file(folder_ / "out/metrics.json"));
   }
   [[nodiscard]] std::vector<EventRow> events() const { return read_events(folder_ / "out/events.csv"); }
-  /// The pid of one of the run's processes, by what stands in its command line.
   [[nodiscard]] pid_t pid_of(const std::string& program, const std::string& more = "") const {
-    for (const pid_t pid : processes_in(lock_.domain())) {
-      std::string line = read_file("/proc/" + std::to_string(pid) + "/cmdline");
-      std::replace(line.begin(), line.end(), '\0', ' ');
-      const bool is_program = line.substr(0, line.find(' ')).ends_with("/" + program);
-      if (is_program && line.find(more) != std::string::npos) return pid;
-    }
-    return -1;
+    return pid_in(lock_.domain(), program, more);
   }
   void expect_nothing_left() const {
     EXPECT_THAT(processes_in(lock_.domain()), IsEmpty());

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <thread>
@@ -70,6 +71,16 @@ std::vector<pid_t> processes_in(std::uint32_t domain) {
     if (pid > 0 && read_file(entry.path() / "cmdline").find(wanted) != std::string::npos) pids.push_back(pid);
   }
   return pids;
+}
+
+pid_t pid_in(std::uint32_t domain, const std::string& program, const std::string& more) {
+  for (const pid_t pid : processes_in(domain)) {
+    std::string line = read_file("/proc/" + std::to_string(pid) + "/cmdline");
+    std::replace(line.begin(), line.end(), '\0', ' ');
+    const bool is_program = line.substr(0, line.find(' ')).ends_with("/" + program);
+    if (is_program && line.find(more) != std::string::npos) return pid;
+  }
+  return -1;
 }
 
 fs::path scenario(const std::string& name) {

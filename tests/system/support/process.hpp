@@ -47,6 +47,8 @@ void write_file(const std::filesystem::path& file, const std::string& text);
 [[nodiscard]] std::vector<std::string> left_in_shared_memory(std::uint32_t domain);
 /// Pids of living processes whose command line has `--domain <domain>`.
 [[nodiscard]] std::vector<pid_t> processes_in(std::uint32_t domain);
+/// The one of them that runs this program and has `more` in its command line, -1 when there is none.
+[[nodiscard]] pid_t pid_in(std::uint32_t domain, const std::string& program, const std::string& more = "");
 [[nodiscard]] std::filesystem::path scenario(const std::string& name);
 
 // implementation

@@ -10,6 +10,7 @@ namespace {
 using namespace std::chrono_literals;
 using caravan_interfaces::msg::WorldStatus;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::Optional;
 
 const runtime::WallTime kBegan{1000s};
@@ -37,6 +38,17 @@ TEST(Standstill, SaysEveryFiveSecondsWhatItWaitsFor) {
   }
   EXPECT_EQ(lines, 4);
   EXPECT_EQ(run.give_up(kBegan + 21s, world), std::nullopt) << "the world speaks: as long as it takes";
+}
+
+TEST(Standstill, NamesRobotsThatAreGoneWhenNoneIsLeft) {
+  WorldStatus world;
+  world.gone({"robot 1", "robot 2"});
+  Standstill run{kBegan};
+  run.note_world(kBegan + 6s);
+  EXPECT_THAT(run.say(kBegan + 6s, world), Optional(HasSubstr("robot 1, robot 2 is gone")));
+  world.members(1);
+  run.note_world(kBegan + 12s);
+  EXPECT_THAT(run.say(kBegan + 12s, world), Optional(Not(HasSubstr("is gone")))) << "the third one goes on";
 }
 
 TEST(Standstill, TellsAPauseFromARobotThatIsMissing) {

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// A run of the command that stands still: it says what it waits for.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+
+#include "deploy/launcher/domain_lock.hpp"
+#include "tests/system/support/process.hpp"
+
+namespace caravan::test {
+namespace {
+
+using namespace std::chrono_literals;
+using ::testing::IsEmpty;
+
+constexpr std::chrono::milliseconds kPatience{60'000};
+
+class StandingStill : public ::testing::Test {
+ protected:
+  void SetUp() override { ASSERT_TRUE(goes_on()) << launcher_.output(); }
+  void TearDown() override {
+    launcher_.signal(SIGINT);
+    EXPECT_EQ(launcher_.wait(kPatience), 130) << launcher_.output();
+    EXPECT_THAT(processes_in(lock_.domain()), IsEmpty());
+    EXPECT_THAT(left_in_shared_memory(lock_.domain()), IsEmpty());
+  }
+  /// Whether more is recorded than now.
+  [[nodiscard]] bool goes_on() const {
+    const auto rows = [this] {
+      const std::string text = read_file(folder_ / "out/tracks.csv");
+      return std::count(text.begin(), text.end(), '\n');
+    };
+    return eventually([&, before = rows()] { return rows() > before + 20; }, kPatience);
+  }
+  void ask(const std::string& action) const {
+    Process ctl{{"caravan", "ctl", "--domain", std::to_string(lock_.domain()), action}, folder_ / "ctl.log"};
+    ASSERT_EQ(ctl.wait(kPatience), 0) << ctl.output();
+  }
+  void send(int signal, const std::string& program, const std::string& more = "") const {
+    const pid_t pid = pid_in(lock_.domain(), program, more);
+    ASSERT_GT(pid, 0) << program << " " << more;
+    ASSERT_EQ(kill(pid, signal), 0);
+  }
+  void send_all_agents(int signal) const {
+    for (const std::string robot : {"1", "2", "3", "4"}) send(signal, "robot_agent", "--robot " + robot);
+  }
+
+  deploy::DomainLock lock_{std::nullopt};
+  ScratchFolder folder_;
+  Process launcher_{{"caravan", "run", scenario("small.toml"), "--out", folder_ / "out", "--items", "100000",
+                     "--max-time", "1000000", "--domain", std::to_string(lock_.domain()), "--quiet"},
+                    folder_ / "launcher.log"};
+};
+
+TEST_F(StandingStill, APausedRunSaysSoAndOneWhoseAgentsAreSuspendedNamesThem) {
+  ask("pause");
+  EXPECT_TRUE(launcher_.prints("somebody has paused the run", kPatience)) << launcher_.output();
+  send_all_agents(SIGSTOP);  // while they wait: none of them holds a lock
+  ask("resume");
+  EXPECT_TRUE(launcher_.prints("robot 1, robot 2, robot 3, robot 4 ", kPatience)) << launcher_.output();
+  EXPECT_TRUE(launcher_.prints("no other robot is left", kPatience)) << launcher_.output();
+  send_all_agents(SIGCONT);
+  EXPECT_TRUE(goes_on()) << launcher_.output();
+}
+
+TEST_F(StandingStill, ARunWhoseWorldSaysNothingNamesIt) {
+  ask("pause");
+  send(SIGSTOP, "world_server");
+  EXPECT_TRUE(launcher_.prints("world_server has said nothing for ", kPatience)) << launcher_.output();
+}
+
+}  // namespace
+}  // namespace caravan::test
