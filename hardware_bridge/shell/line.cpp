@@ -53,21 +53,26 @@ Descriptor open_serial(const std::string& path, unsigned baud) {
   return port;
 }
 
-Descriptor begin_connecting(const PortAddress& address) {
+std::optional<sockaddr_in> look_up(const PortAddress& address) {
   addrinfo hints{};
   hints.ai_family = AF_INET;
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   if (getaddrinfo(address.host.c_str(), address.port.c_str(), &hints, &found) != 0) {
     errno = EADDRNOTAVAIL;
-    return {};
+    return std::nullopt;
   }
-  Descriptor socket{::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
-  const bool begun = socket.is_open() && (connect(socket.number(), found->ai_addr, found->ai_addrlen) == 0 ||
-                                          errno == EINPROGRESS);
-  const int error = errno;
+  sockaddr_in place{};
+  std::memcpy(&place, found->ai_addr, sizeof place);
   freeaddrinfo(found);
-  errno = error;
+  return place;
+}
+
+Descriptor begin_connecting(const sockaddr_in& place) {
+  Descriptor socket{::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
+  const auto* const address = reinterpret_cast<const sockaddr*>(&place);
+  const bool begun =
+      socket.is_open() && (connect(socket.number(), address, sizeof place) == 0 || errno == EINPROGRESS);
   return begun ? std::move(socket) : Descriptor{};
 }
 
@@ -102,7 +107,13 @@ std::string to_text(const PortAddress& address) {
 std::string Line::open(const PortAddress& address, unsigned baud) {
   close();
   connecting_ = address.path.empty();
-  descriptor_ = connecting_ ? begin_connecting(address) : open_serial(address.path, baud);
+  if (!connecting_) {
+    descriptor_ = open_serial(address.path, baud);
+  } else {
+    if (!found_ || looked_up_ != address) found_ = look_up(address);
+    looked_up_ = address;
+    if (found_) descriptor_ = begin_connecting(*found_);
+  }
   if (!descriptor_.is_open()) fail(reason());
   return failure_;
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <netinet/in.h>
+
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +20,17 @@ struct PortAddress {
   std::string path;  ///< of a serial port; empty: TCP
   std::string host;
   std::string port;
+  bool operator==(const PortAddress&) const = default;
 };
 /// @param text  "/dev/ttyUSB0" or "tcp:HOST:PORT"
 /// @throws StartError naming `option` when it is neither
 [[nodiscard]] PortAddress parse_port(const std::string& text, const std::string& option);
 [[nodiscard]] std::string to_text(const PortAddress& address);
 
-/// A stream of bytes to a device, which never blocks. Once it is gone it stays so; open another.
+/// A stream of bytes to a device. Once it is gone it stays so; open another.
+///
+/// It never blocks but for the first opening of a host by its name, which waits for the resolver (some
+/// seconds): later ones of the same host take the address that was found then.
 class Line {
  public:
   /// Begins to open. @param baud  of a serial port, 8 data bits, no parity, 1 stop bit, raw
@@ -53,6 +60,8 @@ class Line {
   void flush();
   void fail(const std::string& why);
 
+  PortAddress looked_up_;
+  std::optional<sockaddr_in> found_;  // where looked_up_ is
   Descriptor descriptor_;
   bool connecting_ = false;
   Bytes waiting_;

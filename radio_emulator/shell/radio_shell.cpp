@@ -25,7 +25,7 @@ RadioShell::RadioShell(const MediumConfig& config, const Fleet& fleet, const run
       robots_(fleet.robots),
       control_{fleet.robots},
       bus_{bus, [this](const Discovery& news) {
-             if (news.kind == Discovery::Kind::kGone) mailbox_.post(news.participant);
+             if (news.kind == Discovery::Kind::kGone) mailbox_.post(news);
            }} {
   for (const std::uint32_t body : fleet.bodies) robots_[body - 1].is_body = true;
   radio_steps_ = bus_.writer<msg::RadioStepPubSubType>(idl::kRadioStep);
@@ -44,7 +44,7 @@ RadioShell::RadioShell(const MediumConfig& config, const Fleet& fleet, const run
   }
   bus_.reader<msg::WorldTruthPubSubType>(
       idl::kTruth, 0,
-      [this](const msg::WorldTruth& sample, const ParticipantId& /*sender*/) { on_truth(sample); });
+      [this](const msg::WorldTruth& sample, const ParticipantId& sender) { on_truth(sample, sender); });
   bus_.reader<msg::ControlRequestPubSubType>(
       idl::kControlRequest, 0,
       [this](const msg::ControlRequest& request, const ParticipantId& /*sender*/) { on_control(request); });
@@ -82,7 +82,7 @@ bool RadioShell::follow_bridge(Robot& robot, std::uint64_t session) {
   return true;
 }
 
-void RadioShell::on_truth(const msg::WorldTruth& sample) {
+void RadioShell::on_truth(const msg::WorldTruth& sample, const ParticipantId& sender) {
   const std::lock_guard lock{mutex_};
   const Time stamp = idl::to_time(sample.stamp());
   if (!follow_session(sample.session()) || stamp < newest_) {
@@ -98,6 +98,7 @@ void RadioShell::on_truth(const msg::WorldTruth& sample) {
     next_step_ = step + 1;
   }
   newest_ = stamp;
+  source_ = sender;
   if (sample.last()) publish_status();  // an observer writes the last counts down
   if (evaluated_already || sample.last()) return;
   open_ = sample;
@@ -119,7 +120,9 @@ void RadioShell::on_transmit(std::uint32_t robot, const msg::RadioTransmit& samp
 }
 
 void RadioShell::read_mailbox() {
-  for (const ParticipantId& one : mailbox_.take()) {
+  for (const Discovery& news : mailbox_.take()) {
+    const ParticipantId one = news.participant;
+    if (source_ == one) spdlog::info("{} is gone: waiting for another one", news.identity.role);
     for (Robot& robot : robots_) {
       if (robot.successor && robot.successor->who == one) robot.successor.reset();
       if (robot.owner != one) continue;

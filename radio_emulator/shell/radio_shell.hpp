@@ -64,7 +64,7 @@ class RadioShell {
     Transmission pending;         // not evaluated yet; its tuned channel holds on
   };
 
-  void on_truth(const caravan_interfaces::msg::WorldTruth& sample);
+  void on_truth(const caravan_interfaces::msg::WorldTruth& sample, const runtime::ParticipantId& sender);
   void on_transmit(std::uint32_t robot, const caravan_interfaces::msg::RadioTransmit& sample,
                    const runtime::ParticipantId& sender);
   void take_transmit(Robot& from, const caravan_interfaces::msg::RadioTransmit& sample);
@@ -93,6 +93,7 @@ class RadioShell {
   std::vector<Robot> robots_;                                // [0] is robot 1
   std::optional<caravan_interfaces::msg::WorldTruth> open_;  // the step that is not evaluated yet
   Time newest_{-1};                                          // stamp of the newest truth
+  std::optional<runtime::ParticipantId> source_;             // of the newest truth
   std::uint64_t next_step_ = 0;                              // after the newest truth's
   RadioControl control_;
   pure::HashChain chain_;
@@ -104,7 +105,7 @@ class RadioShell {
   bool told_refused_writes_ = false;
   std::chrono::nanoseconds compute_{0};
 
-  runtime::Mailbox<runtime::ParticipantId> mailbox_{loop_};  // who has gone
+  runtime::Mailbox<runtime::Discovery> mailbox_{loop_};  // who has gone
 
   runtime::Bus bus_;  // after the state, so that no callback outlives it
   runtime::Writer<caravan_interfaces::msg::RadioStepPubSubType> radio_steps_;

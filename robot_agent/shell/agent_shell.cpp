@@ -50,15 +50,20 @@ void AgentShell::make_readers(HostedAgent& agent) {
         agent.hear(sample, !clash_->must_be_silent());
       });
   bus_.reader<msg::SensorFramePubSubType>(
-      idl::kSensors, agent.robot(), [this, &agent](const msg::SensorFrame& frame, const ParticipantId&) {
+      idl::kSensors, agent.robot(),
+      [this, &agent](const msg::SensorFrame& frame, const ParticipantId& sender) {
         const std::lock_guard lock{mutex_};
+        source_ = sender;
         agent.sense(frame, !clash_->must_be_silent());
       });
 }
 
 void AgentShell::read_mailbox(Wall now) {
   for (const Discovery& one : mailbox_.take()) {
-    if (one.kind == Discovery::Kind::kGone) clash_->vanished(one.participant);
+    if (one.kind == Discovery::Kind::kGone) {
+      clash_->vanished(one.participant);
+      if (source_ == one.participant) spdlog::info("{} is gone: waiting for another one", one.identity.role);
+    }
     if (one.kind != Discovery::Kind::kWriterFound) continue;
     if (const auto ours = robot_of_topic_.find(one.topic); ours != robot_of_topic_.end()) {
       clash_->found(ours->second, one.participant, one.identity, now);

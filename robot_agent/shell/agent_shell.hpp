@@ -55,6 +55,7 @@ class AgentShell {
   std::deque<HostedAgent> agents_;                       // callbacks refer to them
   std::map<std::string, std::uint32_t> robot_of_topic_;  // commands of these robots are ours to write
   std::optional<Clash> clash_;
+  std::optional<runtime::ParticipantId> source_;  // of the newest sensor frame: a world or a bridge
   std::optional<Wall> said_waiting_;
   bool told_refused_writes_ = false;
 

@@ -55,6 +55,10 @@ TEST_F(Suspended, AWorldSuspendedForLongerThanItsLeaseEndsAndSaysWhy) {
   ASSERT_TRUE(does("continue world"));
   EXPECT_TRUE(comes("it ends", "process world is ended and exit world is 1", 15s));
   EXPECT_TRUE(comes("its log tells", "log world has \"longer than the lease\"", 1s));
+  EXPECT_TRUE(comes("the others say what they wait for",
+                    "log radio has \"world_server is gone: waiting\" and log robot 1 has \"world_server is "
+                    "gone: waiting\"",
+                    10s));
   ASSERT_TRUE(does("start world"));
   EXPECT_TRUE(comes("another begins", "sessions is 2 and members is 4", 20s));
   EXPECT_TRUE(goes_on());

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "deploy/launcher/domain_lock.hpp"
 #include "tests/system/support/bus_player.hpp"
@@ -133,6 +134,28 @@ TEST_F(WorldProcess, GoesOnWithoutARobotWhoseProcessIsGone) {
   })) << world_.output();
 }
 
+TEST_F(WorldProcess, TakesARobotBackThatIsTooSlowToAnswerAStepInTime) {
+  const PlayedFleet fleet{config_, {1, 2, 3}, [](auto) { return std::pair{0.1, 0.1}; }};
+  {
+    const PlayedFleet fourth{config_, {4}, [](auto) { return std::pair{0.1, 0.1}; }};
+    ASSERT_TRUE(statuses_.first([](const msg::WorldStatus& one) { return one.steps() > 0; }))
+        << world_.output();
+  }
+  const auto is_whole = [](const msg::WorldStatus& one) { return one.disturbed() && one.members() == 4; };
+  ASSERT_TRUE(statuses_.first([](const msg::WorldStatus& one) { return one.members() == 3; }))
+      << world_.output();
+  const PlayedFleet slow{config_, {4}, [](auto) {
+                           std::this_thread::sleep_for(100ms);  // a hundred steps of a world at full speed
+                           return std::pair{0.1, 0.1};
+                         }};
+  const auto back = statuses_.first(is_whole);
+  ASSERT_TRUE(back) << world_.output();
+  EXPECT_TRUE(statuses_.first([&](const msg::WorldStatus& one) {
+    return is_whole(one) && one.steps() > back->steps() + 3;
+  })) << "it is waited for, and the run goes on: "
+      << world_.output();
+}
+
 TEST_F(WorldProcess, NamesARobotThatLivesButDoesNotAnswer) {
   const PlayedFleet fleet{config_, {1, 2, 3}, [](auto) { return std::pair{0.0, 0.0}; }};
   const Collector<msg::SensorFramePubSubType> sensors{config_, idl::kSensors, 4};
@@ -148,6 +171,16 @@ TEST_F(WorldProcess, NamesARobotThatLivesButDoesNotAnswer) {
     return one.hung() == std::vector<std::string>{"robot 4"} && one.gone().empty();
   })) << world_.output();
   EXPECT_THAT(world_.output(), HasSubstr("robot 4"));
+}
+
+TEST_F(WorldProcess, NamesAnObserverThatLivesButHandlesNothing) {
+  runtime::Bus stuck{config_};
+  auto credits = stuck.writer<msg::RunCreditPubSubType>(idl::kRunCredit);
+  msg::RunCredit credit;
+  credit.observer("stuck");
+  credits.write(credit);
+  const PlayedFleet fleet{config_, {1, 2, 3, 4}, [](auto) { return std::pair{0.0, 0.0}; }};
+  EXPECT_TRUE(world_.prints("observer stuck lives but handles no more steps", kPatience)) << world_.output();
 }
 
 TEST_F(WorldProcess, StopsWithinASecondOnSigterm) {

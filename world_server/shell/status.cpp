@@ -14,6 +14,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto kStatusPeriod = 500ms;
+constexpr auto kHeldLong = 2s;  // by an observer
 
 std::vector<std::string> in_words(const std::vector<std::uint32_t>& ids) {
   std::vector<std::string> names;
@@ -36,6 +37,13 @@ void WorldShell::name_the_late(Wall now) {
                  fmt::join(in_words(hung), ", "));
   }
   named_hung_ = hung;
+  const bool held =
+      phase_ == Phase::kClosed && !control_.is_paused() && held_by_ && now - held_since_ >= kHeldLong;
+  if (held && !named_hold_) {
+    spdlog::warn("held back stamp_s={:.3f}: observer {} lives but handles no more steps", seconds(stamp_),
+                 *held_by_);
+  }
+  named_hold_ = held;
 }
 
 void WorldShell::publish_status(Wall now) {

@@ -100,10 +100,10 @@ void WorldShell::progress() {
 
 bool WorldShell::may_open(Wall now) {
   if (control_.is_paused()) return false;
-  const auto held_by = credits_.holding_back(world_.now(), period_ * idl::kMaxStepsAhead);
-  if (held_by && !named_hold_) spdlog::debug("held back by observer={}", *held_by);
-  named_hold_ = held_by.has_value();
-  if (named_hold_) {
+  const bool was_held = held_by_.has_value();
+  held_by_ = credits_.holding_back(world_.now(), period_ * idl::kMaxStepsAhead);
+  if (held_by_) {
+    if (!was_held) held_since_ = now;
     told_due_ = {};
     return false;
   }

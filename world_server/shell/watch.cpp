@@ -62,7 +62,7 @@ void WorldShell::free_step() {
 
 Wall WorldShell::next_deadline(Wall now) const {
   const bool paced =
-      control_.speed() != 0.0 && !named_hold_ && !control_.is_paused() &&
+      control_.speed() != 0.0 && !held_by_ && !control_.is_paused() &&
       (phase_ == Phase::kClosed || (phase_ == Phase::kOpen && config_.experiment.pacing == Pacing::kFree));
   return paced ? std::min(status_due_, std::max(due_, now)) : status_due_;
 }

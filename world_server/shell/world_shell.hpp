@@ -128,6 +128,8 @@ class WorldShell {
   Wall status_due_{};
   std::string digest_;
   std::vector<std::uint32_t> named_hung_;
+  std::optional<std::string> held_by_;  // an observer that has not handled enough
+  Wall held_since_{};
   bool named_hold_ = false;
   bool told_refused_writes_ = false;
 

@@ -15,6 +15,8 @@ using Weight = Notice::Weight;
 namespace {
 
 constexpr Time kStopAgain = 500ms;
+constexpr Time kTellWaiting = 5s;
+constexpr Time kTellAgain = 60s;
 constexpr double kCompassUnit_rad = 2.0 * std::numbers::pi / 180.0;
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
@@ -174,6 +176,7 @@ void Bridge::tick(Time now) {
   was_heard_ = heard;
   tell_position(now);
   keep_still(now);
+  tell_what_is_awaited(now);
 }
 
 void Bridge::keep_still(Time now) {
@@ -194,6 +197,20 @@ void Bridge::tell_position(Time now) {
   had_position_ = has;
   note(has ? Weight::kInfo : Weight::kWarning,
        has ? "position known" : "position lost (GPS): wheels stopped");
+}
+
+void Bridge::tell_what_is_awaited(Time now) {
+  if (moved_ || !tell_due_) tell_due_ = now + kTellWaiting;
+  if (now < *tell_due_) return;
+  tell_due_ = now + kTellAgain;
+  std::string awaited;
+  const auto await = [&](bool is_here, const char* what) {
+    if (!is_here) awaited += (awaited.empty() ? "" : ", ") + std::string{what};
+  };
+  await(link_.is_heard(now), "the robot");
+  await(fusion_.pose(now).has_value(), "its position");
+  await(wished_ && now - *wished_ <= config_.command_timeout, "the agent's commands");
+  note(Weight::kInfo, "wheels at rest, waiting for: " + awaited);
 }
 
 Time Bridge::next_deadline(Time now) const {

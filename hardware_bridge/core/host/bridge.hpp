@@ -102,6 +102,7 @@ class Bridge {
   }
   void keep_still(Time now);
   void tell_position(Time now);
+  void tell_what_is_awaited(Time now);
 
   BridgeConfig config_;
   RobotLink link_;
@@ -119,6 +120,7 @@ class Bridge {
   Wish wish_;
   bool moved_ = false;  // it was allowed to at the last look
   Time stop_due_{0};
+  std::optional<Time> tell_due_;  // why it stands; none: it did not look yet
   bool was_heard_ = false;
   bool had_position_ = false;
   std::uint64_t refused_ = 0;

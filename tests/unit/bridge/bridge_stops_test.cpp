@@ -130,6 +130,19 @@ TEST_F(DrivingLoop, NothingButGarbageIsSilence) {
   EXPECT_FALSE(moves_);
 }
 
+TEST_F(DrivingLoop, SaysWhatItWaitsForWhileTheWheelsStand) {
+  agent_speaks_ = false;
+  run(7s);
+  EXPECT_THAT(told_, HasSubstr("waiting for: the agent's commands\n"));
+  told_.clear();
+  gps_works_ = false;
+  line_whole_ = false;
+  run(50s);
+  EXPECT_THAT(told_, Not(HasSubstr("waiting for"))) << "once a minute";
+  run(12s);
+  EXPECT_THAT(told_, HasSubstr("waiting for: the robot, its position, the agent's commands\n"));
+}
+
 TEST_F(DrivingLoop, AnAgentThatIsGoneStopsAtOnce) {
   agent_speaks_ = false;
   bridge_.forget_wish(now_);
