@@ -68,7 +68,7 @@ TEST_F(Started, FifteenAgentsMayComeOneByOne) {
 TEST_F(Started, ARobotIsTakenOutOfTheWorldAndPutBackIn) {
   start_all_busy();
   ASSERT_TRUE(does("remove 3"));
-  EXPECT_TRUE(comes("it is out", "removed has \"robot 3\" and members is 3 and gone is none", 10s));
+  ASSERT_TRUE(comes("it is out", "removed has \"robot 3\" and members is 3 and gone is none", 10s));
   EXPECT_TRUE(goes_on());
   ASSERT_TRUE(does("pause"));
   ASSERT_TRUE(does("spawn 3 4.5 4.5"));
@@ -85,7 +85,7 @@ TEST_F(Started, ARobotIsSpawnedBeforeItHasAnAgent) {
   ASSERT_TRUE(does("remove 3"));
   EXPECT_TRUE(comes("it is out", "removed has \"robot 3\" and gone is none", 10s));
   ASSERT_TRUE(does("spawn 3 4.5 4.5"));
-  EXPECT_TRUE(comes("it is missing", "missing has \"robot 3\" and removed is none and members is 3", 10s));
+  ASSERT_TRUE(comes("it is missing", "missing has \"robot 3\" and removed is none and members is 3", 10s));
   EXPECT_TRUE(goes_on());
   ASSERT_TRUE(does("start robot 3"));
   EXPECT_TRUE(comes("its agent has come", "missing is none", 15s));
