@@ -93,7 +93,8 @@ Deployment::~Deployment() {
 ActionResult Deployment::ask(const msg::ControlRequest& request) {
   const ControlAnswer answer = ears_->ask(request, kControlPatience);
   if (answer.is_good()) return {true, ""};
-  return {false, (answer.kind == ControlAnswer::Kind::kRefused ? "refused: " : "") + answer.reason};
+  if (answer.kind == ControlAnswer::Kind::kRefused) return {false, "refused: " + answer.reason};
+  return {false, answer.reason + "\n" + scene(seen())};
 }
 
 ActionResult Deployment::hold_at(std::uint64_t step) {
