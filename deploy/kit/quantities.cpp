@@ -120,7 +120,7 @@ Quantity read_metric(Words& words) {
 }
 
 std::string event_kind(Words& words) {
-  const std::string kind = words.word("the event, as in events.csv");
+  std::string kind = words.word("the event, as in events.csv");
   if (kind.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") != std::string::npos)
     throw WordsError{"\"" + kind + "\" is no event: they are lower_snake_case"};
   return kind;
