@@ -19,6 +19,8 @@ struct Phase {
   const char* frame;            ///< which has been sent in the newest step
   bool is_secondary;            ///< by the one with the lower id
   bool kills_receiver = false;  ///< who stands and waits for it, not the one that has sent it
+
+  friend std::ostream& operator<<(std::ostream& out, const Phase& one) { return out << one.name; }
 };
 
 struct Pair {

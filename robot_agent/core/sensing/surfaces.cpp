@@ -79,7 +79,7 @@ void Surfaces::follow(std::size_t sonar, const Point& across_W, const Point& at,
     return;
   }
   if (length < kShortest_m || std::abs(along.dot(across_W)) < kAcross * length) return;
-  for (const double on : kGoesOn_m) goes_on_.push_back(at + (on / length) * along);
+  for (const double on : kGoesOn_m) goes_on_.emplace_back(at + (on / length) * along);
   if (length > 2.0 * kShortest_m) before = {at - (kShortest_m / length) * along, now};
 }
 
