@@ -147,9 +147,7 @@ double steps_per_second(const Options& options) {
   return options.steps / seconds;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, const char* const* argv) {
   Options options;
   CLI::App app{"Steps per second of the lockstep over pipes: the floor that DDS is measured against"};
   app.add_option("--robots", options.robots, "Agents, one process each")->check(CLI::Range(1, 110));
@@ -160,9 +158,18 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0.0, 1.0));
   try {
     app.parse(argc, argv);
-    std::printf("%.0f\n", steps_per_second(options));
   } catch (const CLI::ParseError& error) {
     return app.exit(error);
+  }
+  std::printf("%.0f\n", steps_per_second(options));
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

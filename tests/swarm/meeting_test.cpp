@@ -163,7 +163,8 @@ TEST(Meeting, ACrowdThatDrivesToAndFroNeitherTouchesNorJams) {
     pure::Random random{seed, 7};
     Floor floor{seed};
     for (int i = 0; i < 6; ++i) {
-      const Point at{1.0 * (i % 3) - 1.0, 1.0 * (i / 3) - 0.5};
+      const int row = i / 3;
+      const Point at{i % 3 - 1.0, row - 0.5};
       floor.add(at, random.uniform(-kPi, kPi), at);
     }
     std::vector<int> reached(floor.size(), 0);

@@ -4,7 +4,6 @@
 #include <signal.h>
 
 #include <cmath>
-#include <ranges>
 
 namespace caravan::test {
 namespace {
@@ -113,9 +112,9 @@ std::optional<double> Truth::moved_m(std::uint32_t robot, std::chrono::nanosecon
   if (samples.empty()) return std::nullopt;
   const auto& now = samples.back();
   const auto& here = now.robots().at(robot - 1);
-  for (const auto& then : std::ranges::reverse_view(samples)) {
-    if (idl::to_time(now.stamp()) - idl::to_time(then.stamp()) < span) continue;
-    const auto& there = then.robots().at(robot - 1);
+  for (auto then = samples.rbegin(); then != samples.rend(); ++then) {
+    if (idl::to_time(now.stamp()) - idl::to_time(then->stamp()) < span) continue;
+    const auto& there = then->robots().at(robot - 1);
     return std::hypot(here.x_m() - there.x_m(), here.y_m() - there.y_m());
   }
   return std::nullopt;
