@@ -55,8 +55,9 @@ class FullDisk : public ::testing::Test {
   /// Runs `caravan run` with its results on a disk of this size. @return its exit code
   std::optional<int> run(const std::string& size, const std::vector<std::string>& options) {
     std::vector<std::string> line = with_disk(before_, size);
-    line.insert(line.end(), {CARAVAN_BIN_DIR "/caravan", "run", scenario("small.toml"), "--quiet", "--items",
-                             "100000", "--max-time", "100000", "--out", disk() + "/out"});
+    line.insert(line.end(),
+                {std::string{CARAVAN_BIN_DIR} + "/caravan", "run", scenario("small.toml"), "--quiet",
+                 "--items", "100000", "--max-time", "100000", "--out", disk() + "/out"});
     line.insert(line.end(), options.begin(), options.end());
     deploy::Process caravan{line, folder_ / "caravan.log"};
     const auto code = caravan.wait(kPatience);
@@ -151,7 +152,7 @@ class FullTrace : public ::testing::Test {
                                   "-c",
                                   "trap '' XFSZ; " + before + " exec \"$@\"",
                                   "full_trace",
-                                  CARAVAN_BIN_DIR "/caravan",
+                                  std::string{CARAVAN_BIN_DIR} + "/caravan",
                                   "run",
                                   scenario("small.toml"),
                                   "--quiet",

@@ -30,7 +30,7 @@ std::string digest_of(const std::string& scenario_name, const std::vector<std::s
   }
   EXPECT_EQ(metrics.at("failure"), "");
   EXPECT_FALSE(metrics.at("disturbed"));
-  const std::string digest = metrics.at("digest");
+  std::string digest = metrics.at("digest");
   EXPECT_NE(digest, "");
   std::cout << digest << " after " << metrics.at("wall_time_s") << " s\n";
   return digest;
