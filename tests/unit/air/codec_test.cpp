@@ -30,26 +30,27 @@ DecodeError error_in(const Bytes& bytes) {
 
 /// One of each, and the limits of each field.
 std::vector<Message> examples() {
-  constexpr std::int32_t low = std::numeric_limits<std::int32_t>::min();
-  constexpr std::int32_t high = std::numeric_limits<std::int32_t>::max();
-  return {Wait{kThree, Mode::kExplore, Engagement::kFree, {}},
-          Wait{RobotId{65535}, Mode::kTransport, Engagement::kFree, {}},
-          Wait{kThree, Mode::kExplore, Engagement::kNegotiating, kSeven},
-          Wait{kThree, Mode::kTransport, Engagement::kInSession, kSeven},
-          Wait{kThree, Mode::kExplore, Engagement::kAway, {}},
-          Wait{kThree, Mode::kExplore, Engagement::kFree, {}, Whereabouts{{low, high}, 3142, -32768, 32767}},
-          Wait{kThree, Mode::kTransport, Engagement::kInSession, kSeven, Whereabouts{{}, -3142, 975, -1}},
-          Accept{kSeven, kThree, 1, Mode::kExplore},
-          Accept{kSeven, kThree, 65535, Mode::kTransport},
-          AcceptAck{kThree, kSeven, 513},
-          Reject{kThree, kSeven, 0, Refusal::kBusy},
-          Reject{kThree, kSeven, 9, Refusal::kDeclined},
-          PathFragment{kSeven, kThree, 9, 0, 0, false, 0, {}},
-          PathFragment{kSeven, kThree, 9, 2, 0, true, 65535, {{low, high}, {-1, 0}}},
-          PathFragment{kSeven, kThree, 9, 65535, 65534, true, 7, {{12345, -54321}}},
-          PathFragment{kSeven, kThree, 9, 65535, 65535, true, 7, {}},
-          PathFragment{kSeven, kThree, 9, 300, 10, true, 7, std::vector<GridPoint>(255, GridPoint{1, 2})},
-          End{kSeven, kThree, 9}};
+  constexpr std::int32_t kLow = std::numeric_limits<std::int32_t>::min();
+  constexpr std::int32_t kHigh = std::numeric_limits<std::int32_t>::max();
+  return {
+      Wait{kThree, Mode::kExplore, Engagement::kFree, {}},
+      Wait{RobotId{65535}, Mode::kTransport, Engagement::kFree, {}},
+      Wait{kThree, Mode::kExplore, Engagement::kNegotiating, kSeven},
+      Wait{kThree, Mode::kTransport, Engagement::kInSession, kSeven},
+      Wait{kThree, Mode::kExplore, Engagement::kAway, {}},
+      Wait{kThree, Mode::kExplore, Engagement::kFree, {}, Whereabouts{{kLow, kHigh}, 3142, -32768, 32767}},
+      Wait{kThree, Mode::kTransport, Engagement::kInSession, kSeven, Whereabouts{{}, -3142, 975, -1}},
+      Accept{kSeven, kThree, 1, Mode::kExplore},
+      Accept{kSeven, kThree, 65535, Mode::kTransport},
+      AcceptAck{kThree, kSeven, 513},
+      Reject{kThree, kSeven, 0, Refusal::kBusy},
+      Reject{kThree, kSeven, 9, Refusal::kDeclined},
+      PathFragment{kSeven, kThree, 9, 0, 0, false, 0, {}},
+      PathFragment{kSeven, kThree, 9, 2, 0, true, 65535, {{kLow, kHigh}, {-1, 0}}},
+      PathFragment{kSeven, kThree, 9, 65535, 65534, true, 7, {{12345, -54321}}},
+      PathFragment{kSeven, kThree, 9, 65535, 65535, true, 7, {}},
+      PathFragment{kSeven, kThree, 9, 300, 10, true, 7, std::vector<GridPoint>(255, GridPoint{1, 2})},
+      End{kSeven, kThree, 9}};
 }
 
 TEST(Codec, WhatIsEncodedDecodesToTheSameMessage) {  // P-10

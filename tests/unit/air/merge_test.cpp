@@ -10,7 +10,7 @@ using testing::ElementsAre;
 
 /// Merges both ways round and checks that it makes no difference.
 Path merged(const Path& own, const Path& other) {
-  const Path result = merge(own, other);
+  Path result = merge(own, other);
   EXPECT_EQ(result, merge(other, own));
   EXPECT_LE(length_m(result), std::min(length_m(own), length_m(other)));
   return result;

@@ -16,8 +16,8 @@ using Kind = Outcome::Kind;
 /// A world of four robots at its boundaries.
 class WorldControl : public ::testing::Test {
  protected:
-  std::optional<Outcome> ask(Action action, std::uint64_t at_step = 0, std::uint64_t next_step = 1) {
-    return control_.ask({"me", ++id_, at_step, std::move(action)}, next_step);
+  std::optional<Outcome> ask(const Action& action, std::uint64_t at_step = 0, std::uint64_t next_step = 1) {
+    return control_.ask({"me", ++id_, at_step, action}, next_step);
   }
   std::vector<Outcome> reach(std::uint64_t step) {
     return control_.reach(step, {.teleport =
