@@ -33,7 +33,8 @@ OdeSession::~OdeSession() {
 }
 
 void OdeSession::prepare_thread() {
-  thread_local const int prepared = (open_ode(), dAllocateODEDataForThread(dAllocateMaskAll));
+  thread_local const int prepared =
+      (open_ode(), dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)));
   static_cast<void>(prepared);
 }
 

@@ -20,7 +20,7 @@ Command read(std::vector<const char*> words) {
 std::string complaint(const std::vector<const char*>& words) {
   CaptureStderr();
   const auto command = read(words);
-  const std::string said = GetCapturedStderr();
+  std::string said = GetCapturedStderr();
   const Exit* exit = std::get_if<Exit>(&command);
   EXPECT_TRUE(exit != nullptr && exit->code == 2);
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;

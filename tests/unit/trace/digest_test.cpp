@@ -66,11 +66,11 @@ TEST(DocumentedDigest, HasTheBytesOfTheRadiosSteps) {
   // Stamp 32 ms; two transmissions: robot 1 on channel 0 with one frame, robot 2 on channel 5 with two; one
   // reception.
   std::string bytes;
-  for (const std::uint64_t word : {32000000, 2, 1, 0, 1, 0, 2}) documented::word(bytes, word);
+  for (const std::uint64_t word : {32000000U, 2U, 1U, 0U, 1U, 0U, 2U}) documented::word(bytes, word);
   bytes += "\x01\xff";
-  for (const std::uint64_t word : {2, 5, 2, 0, 1}) documented::word(bytes, word);
+  for (const std::uint64_t word : {2U, 5U, 2U, 0U, 1U}) documented::word(bytes, word);
   bytes += "\x03";
-  for (const std::uint64_t word : {5, 0, 1, 2, 1, 0, 2}) documented::word(bytes, word);
+  for (const std::uint64_t word : {5U, 0U, 1U, 2U, 1U, 0U, 2U}) documented::word(bytes, word);
   bytes += "\x01\xff";
 
   EXPECT_EQ(text_of(radio::chain_link(32000000, sent, heard).view()), bytes);

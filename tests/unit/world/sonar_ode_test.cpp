@@ -12,7 +12,7 @@ class OdeScene {
  public:
   OdeScene(const Scene& scene, std::size_t robot) {
     dInitODE2(0);
-    dAllocateODEDataForThread(dAllocateMaskAll);
+    dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
     geoms_.push_back(dCreatePlane(nullptr, 0, 0, 1, 0));
     for (const Box& box : arena_walls(scene.config.arena_m, scene.config.wall_height_m)) add(box);
     for (const Box& box : scene.config.boxes) add(box);
