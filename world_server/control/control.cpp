@@ -56,26 +56,26 @@ std::optional<Outcome> Control::ask(Order order, std::uint64_t next_step) {
 }
 
 std::string Control::obey(const Action& action, std::uint64_t step, const Hands& hands) {
-  const std::string done;
+  const auto done = [] { return std::string{}; };
   return std::visit(pure::Overload{[&](const Pause&) {
                                      paused_ = true;
                                      pause_at_.reset();
-                                     return done;
+                                     return done();
                                    },
                                    [&](const Resume&) {
                                      paused_ = false;
                                      pause_at_.reset();
-                                     return done;
+                                     return done();
                                    },
                                    [&](const TakeSteps& steps) {
                                      if (!paused_) return std::string{"the world is running: pause it first"};
                                      paused_ = false;
                                      pause_at_ = step + steps.count;
-                                     return done;
+                                     return done();
                                    },
                                    [&](const SetSpeed& speed) {
                                      speed_ = speed.factor;
-                                     return done;
+                                     return done();
                                    },
                                    [&](const Teleport& teleport) { return hands.teleport(teleport); },
                                    [&](const Spawn& spawn) { return hands.spawn(spawn); },
@@ -86,11 +86,11 @@ std::string Control::obey(const Action& action, std::uint64_t step, const Hands&
                                    },
                                    [&](const Hold& hold) {
                                      held_[hold.robot - 1] = true;
-                                     return done;
+                                     return done();
                                    },
                                    [&](const Release& release) {
                                      held_[release.robot - 1] = false;
-                                     return done;
+                                     return done();
                                    },
                                    [&](const UnknownAction& never_taken) { return refusal_of(never_taken); }},
                     action);
