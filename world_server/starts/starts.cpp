@@ -48,9 +48,11 @@ class Ground {
 
   /// A free place somewhere on the lattice, from the lower left on.
   [[nodiscard]] std::optional<Point> search() const {
-    for (double y = low_.y; y <= high_.y; y += kLattice) {
-      for (double x = low_.x; x <= high_.x; x += kLattice) {
-        if (is_free({x, y})) return Point{x, y};
+    const auto across = [](double from, int steps) { return from + steps * kLattice; };
+    for (int row = 0; across(low_.y, row) <= high_.y; ++row) {
+      for (int column = 0; across(low_.x, column) <= high_.x; ++column) {
+        const Point place{across(low_.x, column), across(low_.y, row)};
+        if (is_free(place)) return place;
       }
     }
     return std::nullopt;
