@@ -3,6 +3,7 @@
 
 #include <signal.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace caravan::test {
@@ -112,12 +113,12 @@ std::optional<double> Truth::moved_m(std::uint32_t robot, std::chrono::nanosecon
   if (samples.empty()) return std::nullopt;
   const auto& now = samples.back();
   const auto& here = now.robots().at(robot - 1);
-  for (auto then = samples.rbegin(); then != samples.rend(); ++then) {
-    if (idl::to_time(now.stamp()) - idl::to_time(then->stamp()) < span) continue;
-    const auto& there = then->robots().at(robot - 1);
-    return std::hypot(here.x_m() - there.x_m(), here.y_m() - there.y_m());
-  }
-  return std::nullopt;
+  const auto then = std::find_if(samples.rbegin(), samples.rend(), [&](const auto& one) {
+    return idl::to_time(now.stamp()) - idl::to_time(one.stamp()) >= span;
+  });
+  if (then == samples.rend()) return std::nullopt;
+  const auto& there = then->robots().at(robot - 1);
+  return std::hypot(here.x_m() - there.x_m(), here.y_m() - there.y_m());
 }
 
 }  // namespace caravan::test
