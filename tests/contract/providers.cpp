@@ -4,7 +4,7 @@
 namespace caravan::test {
 namespace {
 
-using Programs = std::vector<std::unique_ptr<Program>>;
+using Programs = std::vector<std::unique_ptr<Process>>;
 
 // A busy machine delays everybody; what is late here is not what the suite is about.
 const std::string kPatient = "gps_timeout_s = 3.0\nsilence_s = 1.8\n";

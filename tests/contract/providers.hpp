@@ -14,7 +14,7 @@ namespace caravan::test {
 struct Provider {
   std::string name;
   /// Starts it on the field; everything ends with what is returned.
-  std::vector<std::unique_ptr<Program>> (*start)(class ContractField& field) = nullptr;
+  std::vector<std::unique_ptr<Process>> (*start)(class ContractField& field) = nullptr;
 };
 
 std::ostream& operator<<(std::ostream& out, const Provider& provider);
@@ -28,7 +28,7 @@ class ContractField : public Field, public ::testing::WithParamInterface<Provide
 
  protected:
   void SetUp() override;
-  std::vector<std::unique_ptr<Program>> programs_;
+  std::vector<std::unique_ptr<Process>> programs_;
   Truth truth_{bus()};
 };
 

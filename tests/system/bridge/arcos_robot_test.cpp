@@ -99,7 +99,7 @@ class ArcosRobot : public Field {
     return encode(Order::kWheelSpeeds, bridge::arcos::wheel_speeds_argument(left_mps, right_mps));
   }
 
-  std::unique_ptr<Program> world_;
+  std::unique_ptr<Process> world_;
   Robot robot_;
   Truth truth_{bus()};
 };

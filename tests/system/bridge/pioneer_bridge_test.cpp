@@ -48,13 +48,13 @@ class PioneerBridge : public Field {
   }
 
   std::string scenario_ = room(1, 0);
-  std::unique_ptr<Program> world_;
+  std::unique_ptr<Process> world_;
   Robot robot_;
   Truth truth_{bus()};
   std::optional<Cable> cable_;
   std::optional<Cable> gps_cable_;
   std::optional<PlayedAgent> agent_;
-  std::unique_ptr<Program> bridge_;
+  std::unique_ptr<Process> bridge_;
 };
 
 /// As delivered a Pioneer is stopped by its watchdog after 2 s: too late to be of use, but it never hides

@@ -89,7 +89,7 @@ class RadioModemProcess : public Field {
     EXPECT_THAT(modems_[0]->output(), HasSubstr("over the MTU"));
   }
 
-  std::vector<std::unique_ptr<Program>> modems_;
+  std::vector<std::unique_ptr<Process>> modems_;
   Collector<msg::RadioReceivePubSubType> heard_{bus(), idl::kRadioReceive, 2};
   runtime::Bus bus_{bus()};
   std::vector<runtime::Writer<msg::RadioTransmitPubSubType>> transmits_;

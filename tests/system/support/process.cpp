@@ -2,6 +2,7 @@
 #include "tests/system/support/process.hpp"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <fstream>
@@ -13,6 +14,11 @@
 
 namespace caravan::test {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr std::chrono::seconds kEndPatience{10};
+
+}  // namespace
 
 bool pause_until_next_look(std::chrono::steady_clock::time_point deadline) {
   if (std::chrono::steady_clock::now() >= deadline) return false;
@@ -26,6 +32,12 @@ Process::Process(std::vector<std::string> arguments, fs::path log)
                         return std::move(arguments);
                       }(),
                       std::move(log)} {}
+
+Process::~Process() {
+  signal(SIGTERM);
+  signal(SIGCONT);  // of one that is suspended
+  (void)wait(kEndPatience);
+}
 
 ScratchFolder::ScratchFolder() {
   std::string pattern = fs::temp_directory_path() / "caravan_test_XXXXXX";

@@ -13,12 +13,16 @@
 
 namespace caravan::test {
 
-/// One of our programs as a user starts it; killed when this goes out of scope.
+/// One of our programs as a user starts it. Told to end when this goes out of scope, so that it leaves
+/// nothing behind; killed when it does not.
 class Process : public deploy::Process {
  public:
   /// @param arguments  the first is the program's name in the folder of binaries
   /// @param log        receives its output and errors
   Process(std::vector<std::string> arguments, std::filesystem::path log);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
 };
 
 /// Waits until `condition()` holds. @return false when it does not within `patience`

@@ -30,25 +30,20 @@ std::string room(std::uint32_t robots, std::uint32_t items) {
          "0.3\n";
 }
 
-Program::~Program() {
-  signal(SIGTERM);
-  (void)wait(std::chrono::seconds{10});
-}
-
 void Field::kill_at_once(Process& process) {
   leftovers_.note(process.pid());
   process.signal(SIGKILL);
   (void)process.wait(kPatience);
 }
 
-std::unique_ptr<Program> Field::start(const std::string& program, std::vector<std::string> options) const {
+std::unique_ptr<Process> Field::start(const std::string& program, std::vector<std::string> options) const {
   std::vector<std::string> line{
       program, "--scenario", scenario_file(), "--domain", std::to_string(lock_.domain()), "--lease", "1"};
   line.insert(line.end(), options.begin(), options.end());
-  return std::make_unique<Program>(line, folder_ / (std::to_string(++started_) + "_" + program + ".log"));
+  return std::make_unique<Process>(line, folder_ / (std::to_string(++started_) + "_" + program + ".log"));
 }
 
-std::unique_ptr<Program> Field::start_world(const std::string& scenario_text, const std::string& bodies) {
+std::unique_ptr<Process> Field::start_world(const std::string& scenario_text, const std::string& bodies) {
   write_file(scenario_file(), scenario_text);
   if (bodies.empty()) return start("world_server", {});
   return start("world_server", {"--bodies", bodies});
@@ -65,7 +60,7 @@ Field::Robot Field::start_robot(std::uint32_t number, const Robot* again) const 
   return robot;
 }
 
-std::unique_ptr<Program> Field::start_agent(std::uint32_t number) const {
+std::unique_ptr<Process> Field::start_agent(std::uint32_t number) const {
   return start("robot_agent", {"--robot", std::to_string(number)});
 }
 

@@ -16,37 +16,30 @@ namespace caravan::test {
 /// Scenario: `robots` robots in an empty room of 8 x 8 m, free pacing, source and destination 3.5 m apart.
 [[nodiscard]] std::string room(std::uint32_t robots, std::uint32_t items);
 
-/// A program that is told to end when its owner does, so that it leaves nothing behind.
-class Program : public Process {
- public:
-  using Process::Process;
-  ~Program();
-};
-
 /// A domain of the test's own, with a world whose robots stand behind bridges.
 class Field : public ::testing::Test {
  protected:
   /// Started as a user starts them; each ends with its owner.
-  [[nodiscard]] std::unique_ptr<Program> start(const std::string& program,
+  [[nodiscard]] std::unique_ptr<Process> start(const std::string& program,
                                                std::vector<std::string> options) const;
   /// @param bodies  as for --bodies
-  [[nodiscard]] std::unique_ptr<Program> start_world(const std::string& scenario_text,
+  [[nodiscard]] std::unique_ptr<Process> start_world(const std::string& scenario_text,
                                                      const std::string& bodies);
   /// An emulated Pioneer, and where it listens.
   struct Robot {
-    std::unique_ptr<Program> process;
+    std::unique_ptr<Process> process;
     std::uint16_t port = 0;
     std::uint16_t gps_port = 0;
   };
   /// @param again  where it listened before it was killed
   [[nodiscard]] Robot start_robot(std::uint32_t number, const Robot* again = nullptr) const;
 
-  [[nodiscard]] std::unique_ptr<Program> start_agent(std::uint32_t number) const;
+  [[nodiscard]] std::unique_ptr<Process> start_agent(std::uint32_t number) const;
   /// An emulated Pioneer with all that stands behind it, by TCP.
   struct BridgedRobot {
     Robot robot;
-    std::unique_ptr<Program> bridge;
-    std::unique_ptr<Program> agent;
+    std::unique_ptr<Process> bridge;
+    std::unique_ptr<Process> agent;
     [[nodiscard]] std::string output() const {
       return robot.process->output() + bridge->output() + agent->output();
     }
