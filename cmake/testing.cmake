@@ -3,6 +3,13 @@ include(CTest)
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)
   include(GoogleTest)
+  # A header and not definitions for every file: what does not name these paths compiles alike in every checkout.
+  set(CARAVAN_BUILD_PATHS_DIR ${CMAKE_BINARY_DIR}/generated/build_paths)
+  file(CONFIGURE OUTPUT ${CARAVAN_BUILD_PATHS_DIR}/build_paths.hpp CONTENT [[
+#pragma once
+#define CARAVAN_SOURCE_DIR "@PROJECT_SOURCE_DIR@"
+#define CARAVAN_BIN_DIR "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@"
+]] @ONLY)
 endif()
 
 # caravan_test(NAME LABEL level SOURCES... LINK... [TIMEOUT seconds] [SLOW]): a GoogleTest program, every case a ctest with that label;
@@ -18,8 +25,7 @@ function(caravan_test name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE caravan_warnings GTest::gmock GTest::gtest_main ${arg_LINK})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  target_compile_definitions(${name} PRIVATE
-    CARAVAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CARAVAN_BIN_DIR="${CMAKE_RUNTIME_OUTPUT_DIRECTORY}")
+  target_include_directories(${name} PRIVATE ${CARAVAN_BUILD_PATHS_DIR})
   set(label ${arg_LABEL})
   if(arg_SLOW)
     string(APPEND label -slow)

@@ -47,7 +47,9 @@ RunFacts facts_of(const fs::path& scenario) {
 }
 
 fs::path folder_of_binaries(const DeploymentOptions& options) {
-  return options.binaries.empty() ? fs::read_symlink("/proc/self/exe").parent_path() : options.binaries;
+  if (!options.binaries.empty()) return options.binaries;
+  const fs::path own = fs::read_symlink("/proc/self/exe").parent_path();
+  return fs::exists(own / "world_server") ? own : own.parent_path() / "bin";
 }
 
 double seconds(Clock::duration time) { return std::chrono::duration<double>(time).count(); }

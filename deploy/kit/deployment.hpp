@@ -22,11 +22,11 @@
 namespace caravan::deploy {
 
 struct DeploymentOptions {
-  std::filesystem::path scenario;       ///< TOML file
-  std::string changes = {};             ///< TOML that is laid over it: `experiment.items = 10`
-  std::filesystem::path folder = {};    ///< exists; the effective scenario and the logs go there
-  std::filesystem::path binaries = {};  ///< folder of world_server and the others; empty: of this program
-  std::optional<std::uint32_t> domain = {};                          ///< none: a free one
+  std::filesystem::path scenario;            ///< TOML file
+  std::string changes = {};                  ///< TOML that is laid over it: `experiment.items = 10`
+  std::filesystem::path folder = {};         ///< exists; the effective scenario and the logs go there
+  std::filesystem::path binaries = {};       ///< of world_server etc.; empty: beside this program, or ../bin
+  std::optional<std::uint32_t> domain = {};  ///< none: a free one
   runtime::Transport transport = runtime::Transport::kSharedMemory;  ///< of every process, and of the kit
   double lease_s = 2.0;                  ///< of every process: silent for so long, it counts as gone
   std::uint32_t agents_per_process = 1;  ///< robots that share a process live and die together

@@ -39,9 +39,6 @@ class DeploymentTest : public ::testing::Test {
     deployment_.reset();
     if (options.folder.empty()) options.folder = folder_ / std::to_string(++deployments_);
     std::filesystem::create_directories(options.folder);
-#ifdef CARAVAN_BIN_DIR
-    if (options.binaries.empty()) options.binaries = CARAVAN_BIN_DIR;
-#endif
     deployment_ = std::make_unique<Deployment>(std::move(options));
     return *deployment_;
   }

@@ -5,6 +5,7 @@
 
 #include <sstream>
 
+#include "build_paths.hpp"
 #include "deploy/embedded/convert.hpp"
 #include "radio_emulator/config/radio_config.hpp"
 #include "robot_agent/config/agent_config.hpp"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "build_paths.hpp"
 #include "runtime/pure/random.hpp"
 #include "tests/fuzz/bridge_targets.hpp"
 #include "tests/fuzz/targets.hpp"

@@ -5,6 +5,7 @@
 #include <map>
 #include <sstream>
 
+#include "build_paths.hpp"
 #include "deploy/embedded/engine.hpp"
 
 namespace caravan::deploy {

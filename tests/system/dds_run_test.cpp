@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "build_paths.hpp"
 #include "deploy/launcher/domain_lock.hpp"
 #include "runtime/pure/random.hpp"
 #include "tests/system/support/process.hpp"

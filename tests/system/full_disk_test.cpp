@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "build_paths.hpp"
 #include "deploy/launcher/domain_lock.hpp"
 #include "tests/system/support/process.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <iostream>
 
+#include "build_paths.hpp"
 #include "tests/system/bridge/support/field.hpp"
 
 namespace caravan::test {

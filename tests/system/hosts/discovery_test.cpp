@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include "build_paths.hpp"
 #include "deploy/launcher/domain_lock.hpp"
 #include "tests/system/hosts/fleet.hpp"
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "build_paths.hpp"
 #include "tests/system/hosts/fleet.hpp"
 #include "tests/system/hosts/network.hpp"
 #include "tests/system/support/digest_of.hpp"

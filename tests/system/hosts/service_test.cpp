@@ -11,6 +11,7 @@
 #include <cstring>
 #include <regex>
 
+#include "build_paths.hpp"
 #include "deploy/launcher/domain_lock.hpp"
 #include "tests/system/support/process.hpp"
 

@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "build_paths.hpp"
 #include "runtime/bus/shared_memory_port.hpp"
 
 namespace caravan::test {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include "build_paths.hpp"
 #include "robot_agent/config/agent_config.hpp"
 
 namespace caravan::agent {

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "build_paths.hpp"
+
 namespace caravan::deploy {
 namespace {
 

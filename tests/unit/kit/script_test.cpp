@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "build_paths.hpp"
 #include "runtime/config/start_error.hpp"
 
 namespace caravan::deploy {

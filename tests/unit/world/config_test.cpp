@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "build_paths.hpp"
+
 namespace caravan::world {
 namespace {
 

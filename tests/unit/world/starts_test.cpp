@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "build_paths.hpp"
 #include "runtime/config/start_error.hpp"
 #include "tests/unit/world/worlds.hpp"
 #include "world_server/shapes/scene.hpp"

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "build_paths.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/pure/random.hpp"
 #include "tests/unit/world/worlds.hpp"
