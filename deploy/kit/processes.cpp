@@ -116,30 +116,28 @@ std::string Processes::end(const std::string& name, int number, std::chrono::mil
 }
 
 std::string Processes::do_to(const std::string& name, Kind kind) {
-  if (kind == Kind::kStart) {
-    if (is_running(name)) return name + " is running already";
-    start(name);
-    return "";
-  }
-  if (!lives_.contains(name)) return name + " was never started";
-  Life& life = lives_.at(name);
+  if (kind != Kind::kStart && !lives_.contains(name)) return name + " was never started";
+  const bool runs = is_running(name);
   switch (kind) {
+    case Kind::kStart:
+      if (runs) return name + " is running already";
+      start(name);
+      return "";
     case Kind::kKill:
+      return end(name, SIGKILL, kKillPatience);
     case Kind::kRestart: {
       std::string wrong = end(name, SIGKILL, kKillPatience);
-      if (kind == Kind::kRestart) start(name);
+      start(name);
       return wrong;
     }
     case Kind::kStop:
-      return is_running(name) ? end(name, SIGTERM, kStopPatience) : name + " is not running";
+      return runs ? end(name, SIGTERM, kStopPatience) : name + " is not running";
     case Kind::kSuspend:
     case Kind::kContinue:
-      if (!is_running(name)) return name + " is not running";
-      life.suspended = kind == Kind::kSuspend;
-      life.process->signal(life.suspended ? SIGSTOP : SIGCONT);
+      if (!runs) return name + " is not running";
+      lives_.at(name).suspended = kind == Kind::kSuspend;
+      lives_.at(name).process->signal(kind == Kind::kSuspend ? SIGSTOP : SIGCONT);
       return "";
-    case Kind::kStart:
-      break;
   }
   return "";
 }

@@ -10,8 +10,7 @@ namespace caravan::runtime {
 /// Whether a participant's transports may send.
 using SendGate = std::shared_ptr<std::atomic<bool>>;
 
-/// Puts each transport of the profile but shared memory behind one that sends nothing until the gate is
-/// opened.
+/// Puts each transport but shared memory behind one that sends nothing until the gate is opened.
 ///
 /// DDS announces a participant a moment before it begins to hear: who answers at once is not heard, and
 /// takes the newcomer for one that knows it already.

@@ -44,11 +44,18 @@ class Faults : public deploy::DeploymentTest {
   /// Suspends a process while it waits. One that is stopped in the middle of a send or a receive may hold a
   /// lock in shared memory that all others need: a limit of DDS, not what these tests are about.
   void suspend_at_rest(const std::string& who) {
+    suspended_at_ = std::chrono::steady_clock::now();
     ASSERT_TRUE(does("pause"));
     ASSERT_TRUE(comes("it is paused", "state is paused", 10s));
     ASSERT_TRUE(does("suspend " + who));
     if (who == "world") return;
     ASSERT_TRUE(does("resume"));
+  }
+  /// Waits until the last that was suspended has been so for this long, on the wall clock as its lease is.
+  [[nodiscard]] ::testing::AssertionResult stays_suspended_for(std::chrono::seconds time) {
+    return comes(
+        std::to_string(time.count()) + " s are over",
+        [&](const deploy::Seen&) { return std::chrono::steady_clock::now() - suspended_at_ > time; }, 20s);
   }
   void expect_back_and_working(std::uint32_t robot) {
     const std::string name = "robot " + std::to_string(robot);
@@ -57,6 +64,9 @@ class Faults : public deploy::DeploymentTest {
         comes(name + " is back", "gone lacks \"" + name + "\" and member " + number + " is yes", 15s));
     EXPECT_TRUE(comes(name + " has a path again", "mode " + number + " is transport", 90s));
   }
+
+ private:
+  std::chrono::steady_clock::time_point suspended_at_;
 };
 
 }  // namespace caravan::test
