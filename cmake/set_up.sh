@@ -1,20 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Sourced by deploy/run and tests/run: brings a fresh Debian 12 machine to a build, saying what it does. Nothing
+# Sourced by deploy/run and tests/run: brings a fresh Debian 12 or 13 machine to a build, saying what it does. Nothing
 # is done that is done already.
+
+# packages_of RELEASE: those of cmake/debian_packages.txt for Debian 12 or 13, one a line.
+packages_of() { sed -nE -e '/^[a-z][^ ]*$/p' -e "s/^$1 //p" cmake/debian_packages.txt; }
 
 # install_packages: what cmake/debian_packages.txt names and dpkg does not know as installed.
 install_packages() {
-  local missing=() package as_root=()
+  local missing=() package as_root=() release
   if ! command -v dpkg-query > /dev/null; then
     echo "This is not Debian: the packages of cmake/debian_packages.txt are taken to be there."
     return
   fi
+  release=$(. /etc/os-release && echo "${ID:-} ${VERSION_ID:-}")
+  case "$release" in
+    "debian 12" | "debian 13") ;;
+    *) echo "This is neither Debian 12 nor 13 ($release): the packages of Debian 13 are tried." ;;
+  esac
   while read -r package; do
     if [ "$(dpkg-query -W -f '${Status}' "$package" 2> /dev/null)" != "install ok installed" ]; then
       missing+=("$package")
     fi
-  done < <(grep -v -e '^#' -e '^$' cmake/debian_packages.txt)
+  done < <(packages_of "$([ "$release" = "debian 12" ] && echo 12 || echo 13)")
   if [ ${#missing[@]} -eq 0 ]; then return; fi
   if [ "$(id -u)" -ne 0 ]; then as_root=(sudo); fi
   echo "Installing missing Debian packages: ${missing[*]}"
