@@ -17,7 +17,7 @@ function(caravan_idl_library name)
     # -t: preprocessed files go to a folder of the run's own; two runs at a time in the shared default garble each other.
     file(MAKE_DIRECTORY ${out}/${stem}.tmp)
     add_custom_command(OUTPUT ${made} ${headers}
-      COMMAND ${FASTDDSGEN} -typeros2 -replace -I ${CMAKE_CURRENT_SOURCE_DIR} -d ${out} -t ${out}/${stem}.tmp ${CMAKE_CURRENT_SOURCE_DIR}/${file} > ${out}/${stem}.log
+      COMMAND ${FASTDDSGEN} -replace -I ${CMAKE_CURRENT_SOURCE_DIR} -d ${out} -t ${out}/${stem}.tmp ${CMAKE_CURRENT_SOURCE_DIR}/${file} > ${out}/${stem}.log
       DEPENDS ${all_idl}
       COMMENT "fastddsgen ${file}" VERBATIM)
     list(APPEND sources ${made} ${headers})

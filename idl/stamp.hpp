@@ -5,6 +5,10 @@
 
 #include "stamp.h"
 
+namespace builtin_interfaces::msg {
+using Time = dds_::Time_;
+}  // namespace builtin_interfaces::msg
+
 namespace caravan::idl {
 
 /// Simulated time as it stands on the wire, and back.

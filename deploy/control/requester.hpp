@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "controlPubSubTypes.h"
+#include "idl/control_types.hpp"
 #include "runtime/bus/bus.hpp"
 
 namespace caravan::deploy {

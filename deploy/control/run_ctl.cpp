@@ -10,9 +10,9 @@
 #include "deploy/control/requester.hpp"
 #include "deploy/control/words.hpp"
 #include "idl/stamp.hpp"
+#include "idl/world_types.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
-#include "worldPubSubTypes.h"
 
 namespace caravan::deploy {
 namespace {

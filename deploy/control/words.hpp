@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "control.h"
+#include "idl/control_types.hpp"
 
 namespace caravan::deploy {
 

@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "control.h"
 #include "deploy/control/words.hpp"
 #include "deploy/kit/condition.hpp"
+#include "idl/control_types.hpp"
 
 namespace caravan::deploy {
 

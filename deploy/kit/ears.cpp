@@ -8,8 +8,8 @@
 
 #include "deploy/launcher/listen.hpp"
 #include "deploy/launcher/run_end.hpp"
+#include "idl/robot_types.hpp"
 #include "idl/stamp.hpp"
-#include "robotPubSubTypes.h"
 #include "robot_agent/core/frames/codec.hpp"
 #include "robot_agent/core/frames/text.hpp"
 #include "runtime/pure/overload.hpp"

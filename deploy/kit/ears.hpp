@@ -9,13 +9,13 @@
 #include <optional>
 #include <string>
 
-#include "controlPubSubTypes.h"
 #include "deploy/control/requester.hpp"
 #include "deploy/kit/seen.hpp"
 #include "deploy/launcher/step_book.hpp"
-#include "robotPubSubTypes.h"
+#include "idl/control_types.hpp"
+#include "idl/robot_types.hpp"
+#include "idl/world_types.hpp"
 #include "runtime/bus/bus.hpp"
-#include "worldPubSubTypes.h"
 
 namespace caravan::deploy {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "robotPubSubTypes.h"
-#include "worldPubSubTypes.h"
+#include "idl/robot_types.hpp"
+#include "idl/world_types.hpp"
 
 namespace caravan::deploy {
 namespace msg = caravan_interfaces::msg;

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "robot.h"
+#include "idl/robot_types.hpp"
+#include "idl/world_types.hpp"
 #include "runtime/bus/bus.hpp"
-#include "world.h"
 
 namespace caravan::deploy {
 

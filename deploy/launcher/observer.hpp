@@ -8,9 +8,9 @@
 
 #include "deploy/launcher/step_book.hpp"
 #include "deploy/metrics/observation.hpp"
+#include "idl/world_types.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
-#include "worldPubSubTypes.h"
 
 namespace caravan::deploy {
 

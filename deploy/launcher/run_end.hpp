@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "deploy/metrics/run_facts.hpp"
-#include "world.h"
+#include "idl/world_types.hpp"
 
 namespace caravan::deploy {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "idl/world_types.hpp"
 #include "runtime/process/loop.hpp"
-#include "world.h"
 
 namespace caravan::deploy {
 

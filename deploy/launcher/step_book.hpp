@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "deploy/metrics/observation.hpp"
-#include "robot.h"
+#include "idl/robot_types.hpp"
+#include "idl/world_types.hpp"
 #include "runtime/process/loop.hpp"
-#include "world.h"
 
 namespace caravan::deploy {
 

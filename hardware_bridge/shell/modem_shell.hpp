@@ -8,7 +8,7 @@
 #include "hardware_bridge/core/modem/half_duplex.hpp"
 #include "hardware_bridge/shell/line.hpp"
 #include "hardware_bridge/shell/udp_air.hpp"
-#include "robotPubSubTypes.h"
+#include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/process/mailbox.hpp"

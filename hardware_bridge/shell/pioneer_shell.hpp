@@ -6,7 +6,7 @@
 
 #include "hardware_bridge/core/host/bridge.hpp"
 #include "hardware_bridge/shell/line.hpp"
-#include "robotPubSubTypes.h"
+#include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/process/mailbox.hpp"

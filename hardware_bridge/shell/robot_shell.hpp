@@ -7,7 +7,7 @@
 #include "hardware_bridge/core/robot/microcontroller.hpp"
 #include "hardware_bridge/shell/line.hpp"
 #include "hardware_bridge/shell/listener.hpp"
-#include "robotPubSubTypes.h"
+#include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
 

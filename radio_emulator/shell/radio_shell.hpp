@@ -8,16 +8,16 @@
 #include <optional>
 #include <vector>
 
-#include "controlPubSubTypes.h"
+#include "idl/control_types.hpp"
+#include "idl/robot_types.hpp"
+#include "idl/world_types.hpp"
 #include "radio_emulator/medium/medium.hpp"
 #include "radio_emulator/medium/radio_control.hpp"
-#include "robotPubSubTypes.h"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/process/mailbox.hpp"
 #include "runtime/pure/hash_chain.hpp"
 #include "runtime/trace/trace_file.hpp"
-#include "worldPubSubTypes.h"
 
 namespace caravan::radio {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "robotPubSubTypes.h"
+#include "idl/robot_types.hpp"
 #include "robot_agent/core/agent.hpp"
 #include "runtime/bus/bus.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robot.h"
+#include "idl/robot_types.hpp"
 #include "robot_agent/core/types.hpp"
 
 namespace caravan::agent {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "controlPubSubTypes.h"
+#include "idl/control_types.hpp"
 #include "runtime/pure/agenda.hpp"
 
 namespace caravan::runtime {

@@ -7,7 +7,8 @@ import re
 import sys
 
 # What an include may be: a kind of outside header or a folder of the project.
-STD, POSIX, EIGEN, ODE, DDS, ROBOT_TYPES, TRUTH_TYPES = "std posix Eigen ode dds robot-types truth-types".split()
+STD, POSIX, EIGEN, ODE, DDS = "std posix Eigen ode dds".split()
+ROBOT_TYPES, TRUTH_TYPES, GENERATED = "robot-types truth-types generated".split()
 TOML, JSON, LOG, CLI, GTEST = "toml++ json spdlog CLI11 gtest".split()
 CONFIG = ["runtime/config", "runtime/scenario", "runtime/pure"]
 PROCESS = [STD, POSIX, LOG, "runtime", "idl"]
@@ -21,7 +22,7 @@ ALLOWED = {
     "runtime/process": [STD, POSIX, LOG, CLI, "runtime/config", "runtime/bus/transport.hpp"],
     "runtime/bus": [STD, POSIX, DDS, ROBOT_TYPES, "idl", "runtime/config", "runtime/pure"],
     "runtime/control": [STD, LOG, TRUTH_TYPES, "runtime/pure"],
-    "idl": [STD, ROBOT_TYPES],
+    "idl": [STD, ROBOT_TYPES, TRUTH_TYPES, GENERATED],
     "robot_agent/core": [STD, EIGEN, "runtime/pure"],
     "robot_agent/config": [STD, EIGEN, *CONFIG, "robot_agent/core"],
     "robot_agent": [*PROCESS, EIGEN, DDS, ROBOT_TYPES, "robot_agent"],
@@ -65,8 +66,10 @@ NOT_IN_A_CORE = {"thread", "mutex", "condition_variable", "future", "atomic", "f
 NO_CLOCK = re.compile(r"_clock::now\b")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
-GENERATED_FOR_ROBOTS = re.compile(r"(robot|stamp|clock)(PubSubTypes)?\.h$")
-GENERATED_FOR_TRUTH = re.compile(r"(world|control)(PubSubTypes)?\.h$")
+# The short names of the generated types; the generated headers themselves are for these alone.
+NAMES_FOR_ROBOTS = re.compile(r"idl/(robot|clock)_types\.hpp")
+NAMES_OF_TRUTH = re.compile(r"idl/(world|control)_types\.hpp")
+GENERATED_HEADERS = re.compile(r"(robot|stamp|clock|world|control)(PubSubTypes)?\.h")
 POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|poll|termios|sched|pthread|signal|dirent|spawn|netdb|ifaddrs|arpa/.*|netinet/.*)\.h$")
 OUTSIDE = {"Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr": DDS, "toml++": TOML,
            "nlohmann": JSON, "spdlog": LOG, "CLI": CLI, "gtest": GTEST}
@@ -76,11 +79,13 @@ def kind_of(bracket, name, top_folders):
     """What an include is: a kind of outside header, or the path inside the project; None if unknown."""
     first = name.split("/")[0]
     if bracket == '"':
+        if NAMES_OF_TRUTH.fullmatch(name):
+            return TRUTH_TYPES
+        if NAMES_FOR_ROBOTS.fullmatch(name):
+            return ROBOT_TYPES
         if first in top_folders and "/" in name:
             return name
-        if GENERATED_FOR_TRUTH.fullmatch(name):
-            return TRUTH_TYPES
-        return ROBOT_TYPES if GENERATED_FOR_ROBOTS.fullmatch(name) else None
+        return GENERATED if GENERATED_HEADERS.fullmatch(name) else None
     if first in OUTSIDE and "/" in name:
         return OUTSIDE[first]
     if POSIX_HEADERS.fullmatch(name):

@@ -27,9 +27,15 @@ class CheckIncludes(unittest.TestCase):
         self.assertEqual(breaches({"robot_agent/core/agent.cpp": lines}), [])
 
     def test_an_agent_never_sees_the_truth(self):
-        self.assert_breach("robot_agent/shell/agent_shell.hpp", '#include "worldPubSubTypes.h"\n')
+        self.assert_breach("robot_agent/shell/agent_shell.hpp", '#include "idl/world_types.hpp"\n')
         self.assert_breach("robot_agent/core/agent.cpp", '#include "world_server/types.hpp"\n')
-        self.assert_breach("hardware_bridge/shell/pioneer_shell.hpp", '#include "worldPubSubTypes.h"\n')
+        self.assert_breach("hardware_bridge/shell/pioneer_shell.hpp", '#include "idl/world_types.hpp"\n')
+
+    def test_generated_headers_are_for_idl(self):
+        line = '#include "robotPubSubTypes.h"\n'
+        self.assertEqual(breaches({"idl/robot_types.hpp": line}), [])
+        self.assert_breach("robot_agent/shell/agent_shell.hpp", line)
+        self.assert_breach("robot_agent/shell/wire.hpp", '#include "robot.h"\n')
 
     def test_only_physics_sees_ode(self):
         self.assertEqual(breaches({"world_server/physics/body.cpp": "#include <ode/ode.h>\n"}), [])

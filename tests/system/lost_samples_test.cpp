@@ -11,8 +11,8 @@
 #include <iostream>
 
 #include "deploy/launcher/domain_lock.hpp"
+#include "idl/robot_types.hpp"
 #include "idl/stamp.hpp"
-#include "robotPubSubTypes.h"
 #include "runtime/bus/bus.hpp"
 #include "runtime/bus/qos.hpp"
 

@@ -13,7 +13,7 @@
 
 #include "deploy/launcher/domain_lock.hpp"
 #include "deploy/launcher/shared_memory.hpp"
-#include "robotPubSubTypes.h"
+#include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
 #include "tests/system/support/process.hpp"
 

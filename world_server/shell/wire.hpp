@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "robot.h"
-#include "world.h"
+#include "idl/robot_types.hpp"
+#include "idl/world_types.hpp"
 #include "world_server/types.hpp"
 #include "world_server/world.hpp"
 

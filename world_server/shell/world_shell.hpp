@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "clockPubSubTypes.h"
-#include "controlPubSubTypes.h"
-#include "robotPubSubTypes.h"
+#include "idl/clock_types.hpp"
+#include "idl/control_types.hpp"
+#include "idl/robot_types.hpp"
+#include "idl/world_types.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/process/mailbox.hpp"
 #include "runtime/trace/trace_file.hpp"
-#include "worldPubSubTypes.h"
 #include "world_server/barrier/barrier.hpp"
 #include "world_server/control/control.hpp"
 #include "world_server/shell/credits.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // neighbour DOMAIN: a DDS program that knows nothing of the project's bus and settings, as a ROS 2 node
 // would. Ends with 0 once it has heard the clock, with 1 when that takes longer than a minute.
-#include <clockPubSubTypes.h>
+#include "idl/clock_types.hpp"
 
 #include <chrono>
 #include <cstdio>

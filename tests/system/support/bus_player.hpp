@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
+#include "idl/robot_types.hpp"
 #include "idl/stamp.hpp"
-#include "robotPubSubTypes.h"
+#include "idl/world_types.hpp"
 #include "runtime/bus/bus.hpp"
 #include "tests/system/support/process.hpp"
-#include "worldPubSubTypes.h"
 
 /// The test itself on the bus, in the place of one of the processes.
 namespace caravan::test {
