@@ -46,6 +46,11 @@ Bytes encode(Order order, int argument) {
   return encode(Command{static_cast<std::uint8_t>(order), argument});
 }
 
+int number_of(const Command& command) {
+  const int* number = std::get_if<int>(&command.argument);
+  return number == nullptr ? 0 : *number;
+}
+
 std::optional<Command> decode_command(std::span<const std::uint8_t> data) {
   if (data.empty()) return std::nullopt;
   Command command{data[0], {}};

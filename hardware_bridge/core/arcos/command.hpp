@@ -19,22 +19,51 @@ enum class Order : std::uint8_t {
   kSetAcceleration = 5,  ///< mm/s2; below 0: deceleration
   kSetMaxSpeed = 6,      ///< mm/s
   kSetOrigin = 7,        ///< odometry to zero
+  kMove = 8,             ///< mm, ahead; below 0: back
+  kRotate = 9,           ///< as kTurnRate
+  kSetMaxTurnRate = 10,  ///< degrees/s
   kSpeed = 11,           ///< mm/s, straight
   kHeading = 12,         ///< degrees, of the odometry
-  kConfig = 18,          ///< asks for the robot's Settings
-  kTurnRate = 21,        ///< degrees a second, counter-clockwise
+  kHeadingFromHere = 13,
+  kJoystickRequest = 17,  ///< this and the other requests: 1 once, above 1 with each SIP, 0 no longer
+  kConfig = 18,           ///< asks for the robot's Settings
+  kEncoderRequest = 19,
+  kTurnRate = 21,             ///< degrees/s, counter-clockwise
+  kHeadingFromSetpoint = 22,  ///< degrees, from the heading that was asked for last
+  kSetTurnAcceleration = 23,  ///< degrees/s2; below 0: deceleration
+  kImuRequest = 26,
   kSonar = 28,
   kStop = 29,
+  kDigitalOut = 30,   ///< high byte: which bits; low byte: their values
   kWheelSpeeds = 32,  ///< low byte right, high byte left, signed, 20 mm/s each
   kGripper = 33,      ///< 1 opens, 2 closes
+  kAnalogSelect = 35,
+  kGripperRequest = 37,
   kIoRequest = 40,
-  kBumpStall = 44,
+  kBumpStall = 44,   ///< which bumpers stop the robot: 0 none, 1 front, 2 rear, 3 both
+  kSonarCycle = 48,  ///< ms between two transducers of an array
   kHostBaud = 50,
   kEmergencyStop = 55,
+  kStopButtonStalls = 56,  ///< the stop button shows as a stall: 0 no, 1 yes
+  kGyro = 58,
+  kBatteryRequest = 62,
+  kTurnGainP = 82,  ///< this and the next ones: what Settings then tells
+  kTurnGainV = 83,
+  kTurnGainI = 84,
+  kSpeedGainP = 85,
+  kSpeedGainV = 86,
+  kSpeedGainI = 87,
+  kTicksPerTurn = 88,
+  kDriftFactor = 89,
+  kTicksPerMm = 93,
 };
 
 inline constexpr int kGripperOpens = 1;
 inline constexpr int kGripperCloses = 2;
+
+/// The argument of a request for reports: how often one shall come.
+inline constexpr int kNoReport = 0;
+inline constexpr int kOneReport = 1;  ///< above it: with each SIP
 
 /// One command packet. The number may be one that Order does not name.
 struct Command {
@@ -47,7 +76,10 @@ struct Command {
 [[nodiscard]] Bytes encode(Order order);
 [[nodiscard]] Bytes encode(Order order, int argument);
 
-/// What a packet's data asks for; empty when it is no command.
+/// The number that a command carries; 0 when it carries none, or a text.
+[[nodiscard]] int number_of(const Command& command);
+
+/// What a packet's data asks for, whatever the kind of its argument; empty when it is no command.
 [[nodiscard]] std::optional<Command> decode_command(std::span<const std::uint8_t> data);
 
 /// Argument of kWheelSpeeds: the nearest multiples of 20 mm/s, within +-126 of them. @pre both finite

@@ -10,7 +10,7 @@ constexpr std::uint8_t kType = 0x20;
 
 /// Gives each field to `take`, in the order of the packet, until it says false.
 template <typename SettingsOrConst, typename Take>
-bool all_of(SettingsOrConst& it, const Take& take) {
+bool each_of_all_robots(SettingsOrConst& it, const Take& take) {
   return take(it.type) && take(it.subtype) && take(it.serial_number) && take(it.four_motors) &&
          take(it.top_turn_degps) && take(it.top_speed_mmps) && take(it.top_turn_acceleration_degps2) &&
          take(it.top_acceleration_mmps2) && take(it.top_pulse_width) && take(it.name) &&
@@ -19,15 +19,42 @@ bool all_of(SettingsOrConst& it, const Take& take) {
          take(it.watchdog_ms);
 }
 
+template <typename SettingsOrConst, typename Take>
+bool each_of_newer_robots(SettingsOrConst& it, const Take& take) {
+  return take(it.alternative_sip) && take(it.stall_pulse_width) && take(it.stall_ms) &&
+         take(it.joystick_speed_mmps) && take(it.joystick_turn_degps) && take(it.max_turn_degps) &&
+         take(it.max_speed_mmps) && take(it.turn_acceleration_degps2) && take(it.turn_deceleration_degps2) &&
+         take(it.turn_gain_p) && take(it.turn_gain_v) && take(it.turn_gain_i) &&
+         take(it.acceleration_mmps2) && take(it.deceleration_mmps2) && take(it.speed_gain_p) &&
+         take(it.speed_gain_v) && take(it.speed_gain_i) && take(it.front_bumpers) && take(it.rear_bumpers) &&
+         take(it.charger) && take(it.sonar_cycle_ms) && take(it.automatic_baud) && take(it.gyro) &&
+         take(it.drift_factor) && take(it.auxiliary_2_baud) && take(it.auxiliary_3_baud) &&
+         take(it.ticks_per_mm) && take(it.shutdown_dv) && take(it.firmware) && take(it.gyro_clockwise) &&
+         take(it.gyro_counter_clockwise) && take(it.kinematics_delay_ms) && take(it.top_sideways_mmps) &&
+         take(it.top_sideways_acceleration_mmps2) && take(it.max_sideways_mmps) &&
+         take(it.sideways_acceleration_mmps2) && take(it.sideways_deceleration_mmps2) &&
+         take(it.charge_threshold_dv);
+}
+
+/// Sets a field to 0 or no text.
+struct Clear {
+  template <typename Field>
+  bool operator()(Field& field) const {
+    field = Field{};
+    return true;
+  }
+};
+
 }  // namespace
 
 Bytes encode(const Settings& settings) {
   FieldWriter out;
   out.write(kType);
-  (void)all_of(settings, [&](const auto& field) {
+  const auto write = [&](const auto& field) {
     out.write(field);
     return true;
-  });
+  };
+  (void)(each_of_all_robots(settings, write) && each_of_newer_robots(settings, write));
   return out.take();
 }
 
@@ -35,8 +62,10 @@ std::optional<Settings> decode_settings(std::span<const std::uint8_t> data) {
   FieldReader in{data};
   std::uint8_t type = 0;
   Settings settings;
-  if (!in.read(type) || type != kType) return std::nullopt;
-  if (!all_of(settings, [&](auto& field) { return in.read(field); })) return std::nullopt;
+  const auto read = [&](auto& field) { return in.read(field); };
+  if (!in.read(type) || type != kType || !each_of_all_robots(settings, read)) return std::nullopt;
+  (void)each_of_newer_robots(settings, Clear{});
+  (void)each_of_newer_robots(settings, read);
   return settings;
 }
 

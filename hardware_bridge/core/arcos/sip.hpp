@@ -46,9 +46,15 @@ struct Sip {
 
 inline constexpr std::uint16_t kNoEcho_mm = 5000;
 inline constexpr std::uint16_t kMotorsOn = 1U << 0U;     ///< in flags
+inline constexpr std::uint16_t kSonarsOn = 0xfU << 1U;   ///< in flags: a bit for each array
 inline constexpr std::uint16_t kStopPressed = 1U << 5U;  ///< in flags: the emergency stop button
+inline constexpr std::uint16_t kStopStalls = 1U << 6U;   ///< in flags: it is shown as a stall, too
 inline constexpr std::uint16_t kLeftStall = 1U << 0U;    ///< in stall_and_bumpers
 inline constexpr std::uint16_t kRightStall = 1U << 8U;
+inline constexpr unsigned kFrontBumperShift =
+    1;  ///< in stall_and_bumpers: a bit for each segment that is pressed
+inline constexpr unsigned kRearBumperShift = 9;
+inline constexpr unsigned kMostBumpers = 7;  ///< front, and as many rear
 
 /// In digital_in, for a gripper on the user I/O port; a paddle's bit is 0 while something presses on it.
 inline constexpr std::uint8_t kGripperNotOpen = 1U << 0U;

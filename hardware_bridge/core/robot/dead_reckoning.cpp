@@ -17,6 +17,12 @@ std::int16_t in_mmps(double speed_mps) {
 
 }  // namespace
 
+std::int16_t heading_counts(double yaw_rad) {
+  const double turns = yaw_rad / (2.0 * std::numbers::pi);
+  return static_cast<std::int16_t>(
+      wrapped_counts(turns * arcos::kHeadingCounts + 0.5, arcos::kHeadingCounts));
+}
+
 void DeadReckoning::turn(double left_wheel_rad, double right_wheel_rad, Time now) {
   const Seen seen{wheel_radius_m_ * left_wheel_rad, wheel_radius_m_ * right_wheel_rad, now};
   if (last_) {
@@ -27,6 +33,8 @@ void DeadReckoning::turn(double left_wheel_rad, double right_wheel_rad, Time now
     x_m_ += 0.5 * (left + right) * std::cos(half_way);
     y_m_ += 0.5 * (left + right) * std::sin(half_way);
     yaw_rad_ = wrapped(yaw_rad_ + turned);
+    left_m_ += left;
+    right_m_ += right;
     const double span = seconds(now - last_->at);
     if (span > 0.0) {
       left_mps_ = left / span;
@@ -39,9 +47,7 @@ void DeadReckoning::turn(double left_wheel_rad, double right_wheel_rad, Time now
 void DeadReckoning::write(arcos::Sip& sip) const {
   sip.x = wrapped_counts(x_m_ / factors_.position_m, 1 << 15);
   sip.y = wrapped_counts(y_m_ / factors_.position_m, 1 << 15);
-  const double turns = yaw_rad_ / (2.0 * std::numbers::pi);
-  sip.heading =
-      static_cast<std::int16_t>(wrapped_counts(turns * arcos::kHeadingCounts + 0.5, arcos::kHeadingCounts));
+  sip.heading = heading_counts(yaw_rad_);
   sip.left_mmps = in_mmps(left_mps_);
   sip.right_mmps = in_mmps(right_mps_);
 }

@@ -9,6 +9,9 @@
 
 namespace caravan::bridge {
 
+/// A heading as a SIP has it: 0 to 4095.
+[[nodiscard]] std::int16_t heading_counts(double yaw_rad);
+
 /// The robot's own idea of where it is, from how far its wheels have turned: wrong where they slip.
 class DeadReckoning {
  public:
@@ -21,6 +24,10 @@ class DeadReckoning {
   /// Position, heading and wheel speeds as a SIP has them.
   void write(arcos::Sip& sip) const;
   [[nodiscard]] double yaw_rad() const { return yaw_rad_; }
+  /// Since the robot was switched on; backward counts negative.
+  [[nodiscard]] double travelled_m() const { return 0.5 * (left_m_ + right_m_); }
+  [[nodiscard]] double left_m() const { return left_m_; }
+  [[nodiscard]] double right_m() const { return right_m_; }
   [[nodiscard]] double left_mps() const { return left_mps_; }
   [[nodiscard]] double right_mps() const { return right_mps_; }
 
@@ -36,6 +43,8 @@ class DeadReckoning {
   double x_m_ = 0.0;
   double y_m_ = 0.0;
   double yaw_rad_ = 0.0;
+  double left_m_ = 0.0;
+  double right_m_ = 0.0;
   double left_mps_ = 0.0;
   double right_mps_ = 0.0;
 };

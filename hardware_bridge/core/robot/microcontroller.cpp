@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+// What the microcontroller does with a host's commands. What it sends: microcontroller_sip.cpp.
 #include "hardware_bridge/core/robot/microcontroller.hpp"
 
-#include <algorithm>
 #include <utility>
+
+#include "hardware_bridge/core/robot/tuning.hpp"
 
 namespace caravan::bridge {
 
@@ -10,13 +12,25 @@ using arcos::Order;
 
 namespace {
 
-constexpr std::size_t kArray = kSonarCount / 2;
 constexpr std::uint8_t kThirdSync = 2;
-constexpr const char* kRobotType = "Pioneer";
+constexpr double kMillimetre = 0.001;
+constexpr double kDegree = std::numbers::pi / 180.0;
 
-std::uint16_t in_mm(double range_m) {
-  if (!(range_m >= 0.0)) return 0;
-  return static_cast<std::uint16_t>(std::lround(std::min(1000.0 * range_m, 1.0 * arcos::kNoEcho_mm)));
+constexpr int kFrontBumps = 1;  // in the argument of BUMPSTALL
+constexpr int kRearBumps = 2;
+
+arcos::Settings settings_of(const RobotConfig& config) {
+  using std::chrono::milliseconds;
+  return {.subtype = config.subtype,
+          .serial_number = "0",
+          .name = config.name,
+          .sip_period_ms = static_cast<std::uint8_t>(config.sip_period / milliseconds{1}),
+          .gripper = 1,
+          .watchdog_ms = static_cast<std::uint16_t>(config.watchdog / milliseconds{1}),
+          .front_bumpers = config.front_bumpers,
+          .rear_bumpers = config.rear_bumpers,
+          .sonar_cycle_ms = static_cast<std::uint8_t>(config.sonar_period / milliseconds{1}),
+          .firmware = "2.9"};
 }
 
 }  // namespace
@@ -24,9 +38,10 @@ std::uint16_t in_mm(double range_m) {
 Microcontroller::Microcontroller(const RobotConfig& config)
     : config_{config},
       projection_{config.arena},
+      settings_{settings_of(config)},
       reckoning_{arcos::factors_of(config.subtype).value_or(arcos::Factors{}), config.track_m,
                  config.wheel_radius_m},
-      ramp_{config.track_m} {}
+      motion_{config.track_m} {}
 
 void Microcontroller::connected(Time now) {
   disconnected();
@@ -35,10 +50,20 @@ void Microcontroller::connected(Time now) {
 }
 
 void Microcontroller::disconnected() {
-  connected_ = synchronised_ = open_ = motors_on_ = sonar_on_ = false;
-  ramp_.halt();
+  close();
+  connected_ = false;
   packets_.restart();
   output_.clear();
+}
+
+void Microcontroller::close() {
+  open_ = synchronised_ = motors_on_ = sonar_on_ = false;
+  motion_.halt();
+  settings_ = settings_of(config_);
+  stop_stalls_ = true;
+  bump_stall_ = kFrontBumps | kRearBumps;
+  encoders_asked_ = io_asked_ = gripper_asked_ = joystick_asked_ = ReportRequest{};
+  unknown_.clear();
 }
 
 void Microcontroller::receive(std::span<const std::uint8_t> bytes, Time now) {
@@ -54,172 +79,170 @@ void Microcontroller::receive(std::span<const std::uint8_t> bytes, Time now) {
 }
 
 void Microcontroller::obey(const arcos::Command& command, Time now) {
-  if (!open_ && std::holds_alternative<std::monostate>(command.argument) && command.number <= kThirdSync) {
-    // OPEN is the same packet as SYNC1: it is OPEN once all three have been answered.
-    if (command.number == static_cast<std::uint8_t>(Order::kOpen) && synchronised_) {
-      open_ = true;
-      sip_due_ = sonar_due_ = now;
-      return;
-    }
-    answer_sync(command.number);
+  if (!open_) return shake_hands(command, now);
+  const auto order = static_cast<Order>(command.number);
+  const int value = arcos::number_of(command);
+  if (order == Order::kPulse || order == Order::kOpen) return;
+  if (order == Order::kClose) return close();
+  if (order == Order::kConfig) return send(arcos::encode(settings_));
+  if (move(order, value) || tune(settings_, order, value) || switch_on_or_off(order, value) ||
+      ask_for_report(order, value)) {
     return;
   }
-  if (!open_) {
-    ++ignored_;
-    return;
-  }
-  switch (static_cast<Order>(command.number)) {
-    case Order::kPulse:
-      break;
-    case Order::kClose:
-      open_ = synchronised_ = motors_on_ = sonar_on_ = false;
-      ramp_.halt();
-      break;
-    case Order::kStop:
-      ramp_.want_stop();
-      break;
-    case Order::kEmergencyStop:
-      ramp_.halt();
-      break;
-    default:
-      obey_number(static_cast<Order>(command.number), command);
-  }
+  ++ignored_;
+  unknown_.insert(command.number);
 }
 
-void Microcontroller::obey_number(Order order, const arcos::Command& command) {
-  const int* given = std::get_if<int>(&command.argument);
-  const int argument = given == nullptr ? 0 : *given;
-  switch (order) {
-    case Order::kEnable:
-      motors_on_ = argument != 0 && !stop_pressed_;
-      if (!motors_on_) ramp_.halt();
-      break;
-    case Order::kSetAcceleration:
-      return ramp_.set_acceleration(argument);
-    case Order::kSetMaxSpeed:
-      return ramp_.set_max_speed(argument);
-    case Order::kSetOrigin:
-      return reckoning_.set_origin();
-    case Order::kSpeed:
-      return ramp_.want_speed(argument);
-    case Order::kHeading:
-      return ramp_.want_heading(argument);
-    case Order::kTurnRate:
-      return ramp_.want_turn_rate(argument);
-    case Order::kWheelSpeeds:
-      return ramp_.want_wheels(arcos::wheel_speeds_of(argument));
-    case Order::kSonar:
-      sonar_on_ = argument != 0;
-      break;
-    case Order::kConfig:
-      return send(arcos::encode(settings()));
-    case Order::kGripper:
-      if (argument == arcos::kGripperOpens || argument == arcos::kGripperCloses) {
-        gripper_closed_ = argument == arcos::kGripperCloses;
-      }
-      break;
-    default:
-      ++ignored_;
+void Microcontroller::shake_hands(const arcos::Command& command, Time now) {
+  // OPEN without an argument is the same packet as SYNC1: it is OPEN once all three have been answered.
+  if (command.number == static_cast<std::uint8_t>(Order::kOpen) && synchronised_) {
+    open_ = sonar_on_ = true;
+    sip_due_ = sonar_due_ = now;
+    return;
   }
+  // A sync has no argument. CLOSE with one is no SYNC2: a host that wants to begin anew sends it.
+  const bool is_sync =
+      command.number <= kThirdSync && std::holds_alternative<std::monostate>(command.argument);
+  if (is_sync) return answer_sync(command.number);
+  if (command.number == static_cast<std::uint8_t>(Order::kClose)) return close();
+  ++ignored_;
 }
 
 void Microcontroller::answer_sync(std::uint8_t number) {
   synchronised_ = number == kThirdSync;
   if (synchronised_) {
-    send(arcos::encode(arcos::Names{config_.name, kRobotType, config_.subtype}));
+    send(arcos::encode(arcos::Names{settings_.name, settings_.type, settings_.subtype}));
   } else {
     send(std::array{number});
   }
 }
 
-arcos::Settings Microcontroller::settings() const {
-  return {.type = kRobotType,
-          .subtype = config_.subtype,
-          .serial_number = "0",
-          .top_turn_degps = WheelRamp::kTopTurn_degps,
-          .top_speed_mmps = WheelRamp::kTopSpeed_mmps,
-          .name = config_.name,
-          .sip_period_ms = static_cast<std::uint8_t>(config_.sip_period / std::chrono::milliseconds{1}),
-          .gripper = 1,
-          .front_sonar = 1,
-          .rear_sonar = 1,
-          .watchdog_ms = static_cast<std::uint16_t>(config_.watchdog / std::chrono::milliseconds{1})};
+bool Microcontroller::move(Order order, int value) {
+  switch (order) {
+    case Order::kStop:
+      motion_.want_stop();
+      break;
+    case Order::kEmergencyStop:
+      motion_.halt();
+      break;
+    case Order::kMove:
+      motion_.want_distance(kMillimetre * value, place());
+      break;
+    case Order::kSpeed:
+      motion_.want_speed(kMillimetre * value);
+      break;
+    case Order::kHeading:
+      motion_.want_heading(kDegree * value);
+      break;
+    case Order::kHeadingFromHere:
+      motion_.want_heading(reckoning_.yaw_rad() + kDegree * value);
+      break;
+    case Order::kHeadingFromSetpoint:
+      motion_.want_heading(motion_.heading_rad().value_or(reckoning_.yaw_rad()) + kDegree * value);
+      break;
+    case Order::kTurnRate:
+    case Order::kRotate:
+      motion_.want_turn_rate(kDegree * value);
+      break;
+    case Order::kWheelSpeeds: {
+      const arcos::WheelSpeeds speeds = arcos::wheel_speeds_of(value);
+      motion_.want_wheels(kMillimetre * speeds.left_mmps, kMillimetre * speeds.right_mmps);
+      break;
+    }
+    default:
+      return false;
+  }
+  if (!motors_on_) motion_.halt();  // so that nothing waits for ENABLE
+  return true;
 }
 
-void Microcontroller::send(std::span<const std::uint8_t> data) {
-  const arcos::Bytes packet = arcos::to_packet(data);
-  output_.insert(output_.end(), packet.begin(), packet.end());
+bool Microcontroller::switch_on_or_off(Order order, int value) {
+  switch (order) {
+    case Order::kEnable:
+      switch_motors(value != 0);
+      return true;
+    case Order::kSetOrigin:
+      motion_.turn_origin(reckoning_.yaw_rad());
+      reckoning_.set_origin();
+      return true;
+    case Order::kSonar:
+      sonar_on_ = value != 0;
+      return true;
+    case Order::kBumpStall:
+      bump_stall_ = value;
+      return true;
+    case Order::kStopButtonStalls:
+      stop_stalls_ = value != 0;
+      return true;
+    case Order::kGripper:
+      if (value == arcos::kGripperOpens || value == arcos::kGripperCloses) {
+        gripper_closed_ = value == arcos::kGripperCloses;
+      }
+      return true;
+    case Order::kDigitalOut: {
+      const unsigned bits = static_cast<unsigned>(value) >> 8U & 0xffU;
+      digital_out_ = (digital_out_ & ~bits) | (static_cast<unsigned>(value) & bits);
+      return true;
+    }
+    case Order::kAnalogSelect:
+      analog_port_ = static_cast<std::uint8_t>(value);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Microcontroller::ask_for_report(Order order, int value) {
+  switch (order) {
+    case Order::kEncoderRequest:
+      encoders_asked_.ask(value);
+      return true;
+    case Order::kIoRequest:
+      io_asked_.ask(value);
+      return true;
+    case Order::kGripperRequest:
+      gripper_asked_.ask(value);
+      return true;
+    case Order::kJoystickRequest:
+      joystick_asked_.ask(value);
+      return true;
+    case Order::kImuRequest:      // A Pioneer 3-DX as it is delivered has neither inertial sensors nor gyro,
+    case Order::kGyro:            // nor batteries that tell of themselves: it answers nothing. It changes its
+    case Order::kBatteryRequest:  // baud rate; a line on TCP has none.
+    case Order::kHostBaud:
+      return true;
+    default:
+      return false;
+  }
 }
 
 void Microcontroller::sense(const BodySenses& senses, Time now) {
   senses_ = senses;
   reckoning_.turn(senses.left_wheel_rad, senses.right_wheel_rad, now);
-  ramp_.see(reckoning_.left_mps(), reckoning_.right_mps(), now);
+  left_stall_.see(told_.left_mps, reckoning_.left_mps(), now);
+  right_stall_.see(told_.right_mps, reckoning_.right_mps(), now);
   tick(now);
 }
 
-void Microcontroller::fire_sonars(Time now) {
-  for (; sonar_due_ <= now; sonar_due_ += config_.sonar_period) {
-    for (const std::size_t array : {std::size_t{0}, kArray}) {
-      const std::size_t index = array + next_sonar_;
-      std::erase_if(fired_, [&](const arcos::Sip::Sonar& sonar) { return sonar.index == index; });
-      fired_.push_back({static_cast<std::uint8_t>(index), in_mm(senses_.sonar_range_m[index])});
-    }
-    next_sonar_ = (next_sonar_ + 1) % kArray;
+void Microcontroller::stop_at_bumpers() {
+  const double ahead = motion_.wanted_ahead_mps(place());
+  const bool bumps = (ahead > 0.0 && front_bumpers_ != 0 && (bump_stall_ & kFrontBumps) != 0) ||
+                     (ahead < 0.0 && rear_bumpers_ != 0 && (bump_stall_ & kRearBumps) != 0);
+  if (bumps) {
+    motion_.halt();
+    bump_stalled_ = true;
+  } else if (ahead != 0.0 || (front_bumpers_ | rear_bumpers_) == 0) {
+    bump_stalled_ = false;
   }
-}
-
-void Microcontroller::tick(Time now) {
-  if (!open_) return;
-  if (now - heard_ >= config_.watchdog) ramp_.want_stop();
-  if (now - sip_due_ > config_.watchdog)
-    sip_due_ = sonar_due_ = now;  // it has slept: nothing is caught up with
-  if (sonar_on_) {
-    fire_sonars(now);
-  } else {
-    sonar_due_ = now;
-  }
-  if (now < sip_due_) return;
-  send_sip(now);
-  sip_due_ += config_.sip_period * ((now - sip_due_) / config_.sip_period + 1);
-}
-
-void Microcontroller::send_sip(Time now) {
-  arcos::Sip sip;
-  reckoning_.write(sip);
-  sip.moving = std::abs(sip.left_mmps) > 5 || std::abs(sip.right_mmps) > 5;
-  const auto decivolts =
-      static_cast<std::uint16_t>(std::lround(std::clamp(10.0 * config_.battery_v, 0.0, 255.0)));
-  sip.battery_dv = static_cast<std::uint8_t>(decivolts);
-  if (ramp_.left_stalls(now)) sip.stall_and_bumpers |= arcos::kLeftStall;
-  if (ramp_.right_stalls(now)) sip.stall_and_bumpers |= arcos::kRightStall;
-  if (motors_on_) sip.flags |= arcos::kMotorsOn;
-  if (stop_pressed_) sip.flags |= arcos::kStopPressed;
-  const double bearing = projection_.bearing_of_yaw(senses_.yaw_WB_rad) - config_.compass_offset_rad;
-  const double bearing_deg = bearing * 180.0 / std::numbers::pi + 720.0;
-  sip.compass = static_cast<std::uint8_t>(std::lround(0.5 * bearing_deg) % 180);
-  sip.sonars = std::exchange(fired_, {});
-  sip.gripper = std::uint8_t{0};
-  sip.analog_port = sip.analog = std::uint8_t{0};
-  sip.digital_in = digital_in();
-  sip.digital_out = std::uint8_t{0};
-  sip.battery_fine_dv = decivolts;
-  send(arcos::encode(sip));
-}
-
-std::uint8_t Microcontroller::digital_in() const {
-  unsigned in = 0;
-  if (gripper_closed_) in |= arcos::kGripperNotOpen;
-  if (senses_.holding) in |= arcos::kInnerBeamBroken;
-  if (!gripper_closed_) in |= arcos::kLeftPaddleFree | arcos::kRightPaddleFree;
-  return static_cast<std::uint8_t>(in);
 }
 
 BodyDrive Microcontroller::drive(Time now) {
   tick(now);
-  const WheelRamp::Speeds speeds = ramp_.at(now, reckoning_.yaw_rad());
-  const bool drives = open_ && motors_on_;
-  return {drives ? speeds.left_mps : 0.0, drives ? speeds.right_mps : 0.0, gripper_closed_};
+  stop_at_bumpers();
+  motion_.set_limits(limits_of(settings_));
+  const MotionControl::Speeds speeds = motion_.at(now, place());
+  told_ = open_ && motors_on_ ? speeds : MotionControl::Speeds{};
+  return {told_.left_mps, told_.right_mps, gripper_closed_};
 }
 
 arcos::Bytes Microcontroller::take_output() { return std::exchange(output_, {}); }
@@ -231,7 +254,12 @@ void Microcontroller::press_stop(bool pressed) {
 
 void Microcontroller::switch_motors(bool on) {
   motors_on_ = on && open_ && !stop_pressed_;
-  if (!motors_on_) ramp_.halt();
+  if (!motors_on_) motion_.halt();
+}
+
+void Microcontroller::press_bumpers(unsigned front, unsigned rear) {
+  front_bumpers_ = front & ((1U << config_.front_bumpers) - 1U);
+  rear_bumpers_ = rear & ((1U << config_.rear_bumpers) - 1U);
 }
 
 }  // namespace caravan::bridge

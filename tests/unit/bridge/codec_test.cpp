@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hardware_bridge/core/arcos/command.hpp"
+#include "hardware_bridge/core/arcos/reports.hpp"
 #include "hardware_bridge/core/arcos/settings.hpp"
 #include "hardware_bridge/core/arcos/sip.hpp"
 #include "runtime/pure/random.hpp"
@@ -189,26 +190,59 @@ TEST(ArcosNames, ComeBackFromTheAnswerToTheThirdSync) {
   EXPECT_EQ(decode_names(Bytes{1}), std::nullopt);
 }
 
-TEST(ArcosSettings, HaveTheWatchdogBehindTheirNamesAndComeBackFromTheirBytes) {
+TEST(ArcosSettings, HaveEachFieldWhereHostsReadIt) {
+  const Settings delivered{.serial_number = "77", .name = "Fred", .firmware = "2.9"};
+  EXPECT_EQ(in_hex(encode(delivered)),
+            "20 50 69 6F 6E 65 65 72 00 "                 // Pioneer
+            "70 33 64 78 00 37 37 00 "                    // p3dx, 77
+            "00 68 01 DC 05 58 02 A0 0F F4 01 "           // tops: 360, 1500, 600, 4000; 500
+            "46 72 65 64 00 "                             // Fred
+            "64 00 00 00 00 01 00 01 6E 00 BA 40 D0 07 "  // SIP 100 ms to watchdog 2000 ms
+            "00 C8 00 64 00 00 00 00 00 "                 // stall 200, 100; joystick
+            "64 00 EE 02 64 00 64 00 28 00 14 00 00 00 "  // maxima 100, 750; turning
+            "2C 01 2C 01 28 00 14 00 00 00 "              // 300, 300; gains
+            "00 00 00 28 02 00 00 00 00 00 80 00 00 00 "  // bumpers to shutdown
+            "32 2E 39 00 "                                // 2.9
+            "00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00");
+  EXPECT_LE(encode(delivered).size(), kMostData);
+}
+
+TEST(ArcosSettings, OfAnOlderRobotEndEarlier) {
   const Settings settings{.type = "Pioneer",
-                          .subtype = "p3dx",
+                          .subtype = "p3dx-sh",
                           .serial_number = "77",
                           .top_speed_mmps = 2200,
                           .name = "Fred",
-                          .sip_period_ms = 100,
                           .low_battery_dv = 115,
-                          .watchdog_ms = 2000};
+                          .watchdog_ms = 2000,
+                          .max_speed_mmps = 600,
+                          .firmware = "2.9"};
   Bytes data = encode(settings);
-  EXPECT_EQ(data[0], 0x20);
-  const std::size_t names = std::string{"Pioneer"}.size() + std::string{"p3dx"}.size() + 2 + 4 + 4;
-  const std::size_t before = 1 + names + 1 + 5 * 2 + 3 + 2 * 2 + 1 + 2 * 2;
-  EXPECT_EQ(data.size(), before + 2);
-  EXPECT_EQ(data[before] | data[before + 1] << 8, 2000);
-  for (std::size_t size = 0; size < data.size(); ++size) {
+  EXPECT_EQ(decode_settings(data), settings);
+  data.insert(data.end(), {1, 2, 3});
+  EXPECT_EQ(decode_settings(data), settings) << "what follows is not known";
+  const std::size_t names = std::string{"Pioneerp3dx-sh77Fred"}.size() + 4;
+  const std::size_t watchdog_ends = 1 + names + 1 + 5 * 2 + 3 + 2 * 2 + 1 + 3 * 2;
+  for (std::size_t size = 0; size < watchdog_ends; ++size) {
     EXPECT_EQ(decode_settings(std::span{data.data(), size}), std::nullopt) << size;
   }
-  data.insert(data.end(), {1, 2, 3});
-  EXPECT_EQ(decode_settings(data), settings) << "what follows is not ours";
+  for (std::size_t size = watchdog_ends; size < data.size(); ++size) {
+    const auto older = decode_settings(std::span{data.data(), size});
+    ASSERT_TRUE(older) << size;
+    EXPECT_EQ(older->watchdog_ms, 2000);
+  }
+  const auto oldest = decode_settings(std::span{data.data(), watchdog_ends});
+  EXPECT_EQ(oldest->max_speed_mmps, 0) << "it has not told";
+  EXPECT_EQ(oldest->ticks_per_mm, 0);
+}
+
+TEST(ArcosReports, HaveTheirFieldsWhereHostsReadThem) {
+  EXPECT_EQ(in_hex(encode(EncoderReport{0x01020304, -2})), "90 04 03 02 01 FE FF FF FF");
+  EXPECT_EQ(
+      in_hex(encode(IoReport{.digital_in = 0x39, .front_bumpers = 2, .digital_out = 5, .analog = {0x3ff}})),
+      "F0 04 39 02 00 FF 01 05 09 FF 03 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00");
+  EXPECT_EQ(in_hex(encode(GripperReport{.state = kPaddlesClosed, .grasp_time = 3})), "E0 01 02 03");
+  EXPECT_EQ(in_hex(encode(JoystickReport{.button_1 = 1, .x = 0x123})), "F8 01 00 23 01 00 02 00 00");
 }
 
 TEST(ArcosProperty, AnyBytesBetweenPacketsLoseNoneOfThem) {

@@ -74,19 +74,6 @@ TEST_F(Robot, EchoesSyncsAndNamesItself) {
   EXPECT_THAT(sips_, Not(IsEmpty()));
 }
 
-TEST_F(Robot, TellsHowItIsSetUpWhenItIsAsked) {
-  open();
-  say(encode(Order::kConfig, 1));
-  std::optional<arcos::Settings> settings;
-  for (const Bytes& data : packets_.feed(robot_.take_output())) {
-    if (auto found = arcos::decode_settings(data)) settings = found;
-  }
-  ASSERT_TRUE(settings);
-  EXPECT_EQ(settings->subtype, "p3dx");
-  EXPECT_EQ(settings->watchdog_ms, 2000);
-  EXPECT_EQ(settings->sip_period_ms, 100);
-}
-
 TEST_F(Robot, SendsASipEvery100Milliseconds) {
   open();
   run(2s);
@@ -121,8 +108,8 @@ TEST_F(Robot, DrivesOnlyWithItsMotorsOn) {
   say(encode(Order::kEnable, 1));
   say(encode(Order::kWheelSpeeds, arcos::wheel_speeds_argument(0.3, 0.2)));
   run(1800ms);
-  EXPECT_DOUBLE_EQ(drive_.left_mps, 0.3);
-  EXPECT_DOUBLE_EQ(drive_.right_mps, 0.2);
+  EXPECT_NEAR(drive_.left_mps, 0.3, 1e-9);
+  EXPECT_NEAR(drive_.right_mps, 0.2, 1e-9);
   EXPECT_TRUE(sips_.back().moving);
 }
 
@@ -130,6 +117,7 @@ TEST_F(Robot, SpeedsChangeByTheAccelerationThatWasSet) {
   open();
   say(encode(Order::kSetAcceleration, 1000));
   say(encode(Order::kSetAcceleration, -500));
+  say(encode(Order::kSetMaxSpeed, 1000));
   say(encode(Order::kSpeed, 800));
   run(400ms);
   EXPECT_NEAR(drive_.left_mps, 0.4, 0.03);
@@ -222,7 +210,8 @@ TEST_F(Robot, TheStopButtonDisablesTheMotorsUntilTheyAreEnabledAgain) {
   robot_.press_stop(true);
   run(200ms);
   EXPECT_EQ(drive_.left_mps, 0.0);
-  EXPECT_EQ(sips_.back().flags, arcos::kStopPressed);
+  EXPECT_EQ(sips_.back().flags, arcos::kStopPressed | arcos::kStopStalls | arcos::kSonarsOn);
+  EXPECT_EQ(sips_.back().stall_and_bumpers, arcos::kLeftStall | arcos::kRightStall);
   say(encode(Order::kEnable, 1));
   run(200ms);
   EXPECT_EQ(sips_.back().flags & arcos::kMotorsOn, 0) << "not while it is in";

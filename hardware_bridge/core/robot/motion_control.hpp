@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "hardware_bridge/core/values.hpp"
+
+namespace caravan::bridge {
+
+/// As a host has set them.
+struct MotionLimits {
+  double speed_mps = 0.75;
+  double turn_radps = 1.75;
+  double acceleration_mps2 = 0.3;
+  double deceleration_mps2 = 0.3;
+  double turn_acceleration_radps2 = 1.75;
+  double turn_deceleration_radps2 = 1.75;
+  double wheel_mps = 1.5;  ///< what the motors can do
+};
+
+/// The motion servers of the microcontroller: what a host asked for, as wheel speeds that change by the
+/// accelerations.
+///
+/// Translation and rotation are independent: each has one setpoint, a speed or a place, and the newest one
+/// counts. Wheel speeds are taken apart into the two, so that the same limits hold for them.
+class MotionControl {
+ public:
+  explicit MotionControl(double track_m) : track_m_{track_m} {}
+
+  /// From the robot's odometry.
+  struct Place {
+    double travelled_m = 0.0;  ///< backward counts negative
+    double yaw_rad = 0.0;
+  };
+
+  void set_limits(const MotionLimits& limits) { limits_ = limits; }
+  void want_speed(double mps) { ahead_ = mps; }
+  void want_distance(double metres, const Place& from) { ahead_ = Until{from.travelled_m + metres}; }
+  void want_turn_rate(double radps) { turn_ = radps; }
+  void want_heading(double yaw_rad) { turn_ = Until{wrapped(yaw_rad)}; }
+  void want_wheels(double left_mps, double right_mps);
+  void want_stop();
+  /// At zero at once, whatever the deceleration.
+  void halt();
+  /// The odometry's yaw is another one now.
+  void turn_origin(double by_rad);
+
+  /// The heading that was asked for, while it is the setpoint.
+  [[nodiscard]] std::optional<double> heading_rad() const;
+  /// Which way the setpoint drives: above 0 ahead, below 0 back.
+  [[nodiscard]] double wanted_ahead_mps(const Place& place) const;
+
+  struct Speeds {
+    double left_mps = 0.0;
+    double right_mps = 0.0;
+  };
+  [[nodiscard]] Speeds at(Time now, const Place& place);
+
+ private:
+  struct Until {
+    double value = 0.0;  // travelled_m or yaw_rad
+  };
+  using Setpoint = std::variant<double, Until>;  // a speed, or a place
+
+  [[nodiscard]] double wanted_turn_radps(const Place& place) const;
+
+  double track_m_;
+  MotionLimits limits_;
+  Setpoint ahead_ = 0.0;
+  Setpoint turn_ = 0.0;
+  double ahead_mps_ = 0.0;
+  double turn_radps_ = 0.0;
+  std::optional<Time> last_;
+};
+
+}  // namespace caravan::bridge
