@@ -2,6 +2,18 @@
 # caravan_idl_library(NAME FILES...): DDS type support generated at build time; nothing generated is committed.
 find_program(FASTDDSGEN fastddsgen REQUIRED)
 
+# Of fastddsgen 4 (Fast DDS 3): no TypeObjects, which version 2 does not make either and DDS would send to every neighbour; the headers
+# are X.hpp, so X.h is one line. Both with and without "PubSubTypes".
+if(CARAVAN_FASTDDS STREQUAL fastdds)
+  set(CARAVAN_FASTDDSGEN_OPTIONS -flat-output-dir -no-typeobjectsupport)
+  set(CARAVAN_FASTDDSGEN_HEADER .hpp)
+  set(CARAVAN_FASTDDSGEN_SOURCES PubSubTypes.cxx)
+else()
+  set(CARAVAN_FASTDDSGEN_OPTIONS)
+  set(CARAVAN_FASTDDSGEN_HEADER .h)
+  set(CARAVAN_FASTDDSGEN_SOURCES .cxx PubSubTypes.cxx)
+endif()
+
 function(caravan_idl_library name)
   cmake_parse_arguments(arg "" "" "FILES" ${ARGN})
   # A folder for each library: every run writes the files of what it includes too, while others may be read by the compiler.
@@ -11,18 +23,27 @@ function(caravan_idl_library name)
   file(GLOB all_idl CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.idl)
   foreach(file IN LISTS arg_FILES)
     get_filename_component(stem ${file} NAME_WE)
-    set(made ${out}/${stem}.cxx ${out}/${stem}PubSubTypes.cxx)
-    set(headers ${out}/${stem}.h ${out}/${stem}PubSubTypes.h)
+    set(made)
+    foreach(end IN ITEMS ${CARAVAN_FASTDDSGEN_SOURCES})
+      list(APPEND made ${out}/${stem}${end})
+    endforeach()
+    set(headers)
+    foreach(part IN ITEMS ${stem} ${stem}PubSubTypes)
+      list(APPEND headers ${out}/${part}${CARAVAN_FASTDDSGEN_HEADER})
+      if(NOT CARAVAN_FASTDDSGEN_HEADER STREQUAL .h)
+        file(CONFIGURE OUTPUT ${out}/${part}.h CONTENT "#include \"${part}${CARAVAN_FASTDDSGEN_HEADER}\"\n")
+      endif()
+    endforeach()
     # -replace: without it a stale output is kept silently. A change in one file regenerates all, since they include each other.
     # -t: preprocessed files go to a folder of the run's own; two runs at a time in the shared default garble each other.
     file(MAKE_DIRECTORY ${out}/${stem}.tmp)
     add_custom_command(OUTPUT ${made} ${headers}
-      COMMAND ${FASTDDSGEN} -replace -I ${CMAKE_CURRENT_SOURCE_DIR} -d ${out} -t ${out}/${stem}.tmp ${CMAKE_CURRENT_SOURCE_DIR}/${file} > ${out}/${stem}.log
+      COMMAND ${FASTDDSGEN} ${CARAVAN_FASTDDSGEN_OPTIONS} -replace -I ${CMAKE_CURRENT_SOURCE_DIR} -d ${out} -t ${out}/${stem}.tmp ${CMAKE_CURRENT_SOURCE_DIR}/${file} > ${out}/${stem}.log
       DEPENDS ${all_idl}
       COMMENT "fastddsgen ${file}" VERBATIM)
     list(APPEND sources ${made} ${headers})
   endforeach()
   add_library(${name} STATIC ${sources})
   target_include_directories(${name} SYSTEM PUBLIC ${out})
-  target_link_libraries(${name} PUBLIC fastrtps fastcdr)
+  target_link_libraries(${name} PUBLIC ${CARAVAN_FASTDDS} fastcdr)
 endfunction()

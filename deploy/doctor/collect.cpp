@@ -31,13 +31,13 @@ std::vector<std::string> missing_programs() {
   return missing;
 }
 
-/// From the name of the file that is mapped into this process: libfastrtps.so.2.9.1.
+/// From the name of the file that is mapped into this process: libfastdds.so.3.1.2.
 std::string loaded_dds() {
-  constexpr std::string_view kMark = "libfastrtps.so.";
+  const std::string mark = runtime::dds_library() + ".so.";
   std::ifstream maps{"/proc/self/maps"};
   for (std::string line; std::getline(maps, line);) {
-    const std::size_t place = line.find(kMark);
-    if (place != std::string::npos) return line.substr(place + kMark.size());
+    const std::size_t place = line.find(mark);
+    if (place != std::string::npos) return line.substr(place + mark.size());
   }
   return "";
 }

@@ -38,13 +38,13 @@ Finding library(const HostFacts& facts) {
   const std::string subject = "Fast DDS";
   if (facts.dds_loaded.empty())
     return {Severity::kWarning, subject, "built with " + facts.dds_built + ", runs with an unknown version",
-            "check with ldd which libfastrtps is used"};
+            "check with ldd which Fast DDS library is used"};
   if (facts.dds_loaded == facts.dds_built) return {Severity::kGood, subject, facts.dds_loaded, ""};
   const auto minor = [](const std::string& version) { return version.substr(0, version.rfind('.')); };
   const bool close = minor(facts.dds_loaded) == minor(facts.dds_built);
   return {close ? Severity::kWarning : Severity::kProblem, subject,
           "built with " + facts.dds_built + ", runs with " + facts.dds_loaded,
-          "build again, or install libfastrtps " + facts.dds_built};
+          "build again, or install Fast DDS " + facts.dds_built};
 }
 
 Finding shared_memory(const HostFacts& facts) {

@@ -20,7 +20,12 @@ namespace fs = std::filesystem;
 namespace {
 
 const fs::path kFolder{"/dev/shm"};
-constexpr std::string_view kPortMark = "fastrtps_port";
+
+/// What the names of DDS's ports begin with.
+const std::string& port_mark() {
+  static const std::string mark = runtime::shared_memory_mark() + "port";
+  return mark;
+}
 
 /// DDS files in the folder that a process has mapped.
 std::set<std::string> mapped_by(const fs::path& process, const fs::path& folder = kFolder) {
@@ -29,7 +34,7 @@ std::set<std::string> mapped_by(const fs::path& process, const fs::path& folder 
   const std::string mark = folder.string() + "/";
   for (std::string line; std::getline(maps, line);) {
     const std::size_t place = line.find(mark);
-    if (place == std::string::npos || line.find("fastrtps") == std::string::npos) continue;
+    if (place == std::string::npos || line.find(runtime::shared_memory_mark()) == std::string::npos) continue;
     std::string name = line.substr(place + mark.size());
     names.insert(name.substr(0, name.find(' ')));  // the kernel adds " (deleted)"
   }
@@ -50,10 +55,10 @@ std::set<std::string> mapped_by_the_living(const fs::path& folder = kFolder) {
 
 /// Whether the file belongs to a port of the domain.
 bool is_of_a_port_of(const std::string& name, std::uint32_t domain) {
-  const std::size_t place = name.find(kPortMark);
+  const std::size_t place = name.find(port_mark());
   if (place == std::string::npos) return false;
   std::uint32_t port = 0;
-  const char* digits = name.data() + place + kPortMark.size();
+  const char* digits = name.data() + place + port_mark().size();
   if (std::from_chars(digits, name.data() + name.size(), port).ec != std::errc{}) return false;
   return runtime::is_port_of(port, domain);
 }
@@ -109,7 +114,7 @@ bool is_ours_and_old(const fs::path& file) {
 
 void SharedMemory::note(pid_t process) {
   for (const std::string& name : mapped_by(fs::path{"/proc"} / std::to_string(process))) {
-    if (name.find(kPortMark) == std::string::npos) segments_.insert(name);
+    if (name.find(port_mark()) == std::string::npos) segments_.insert(name);
   }
 }
 
@@ -132,7 +137,9 @@ std::vector<LeftFile> left_by_the_dead(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator{folder, error}) {
     const std::string name = entry.path().filename();
     const std::string segment = segment_of(name);
-    if (!segment.starts_with("fastrtps_") || in_use.contains(name) || in_use.contains(segment)) continue;
+    if (!segment.starts_with(runtime::shared_memory_mark()) || in_use.contains(name) ||
+        in_use.contains(segment))
+      continue;
     if (!is_ours_and_old(entry.path()) || is_held(folder, segment)) continue;
     left.push_back({name, fs::file_size(entry.path(), error)});
   }

@@ -3,12 +3,9 @@
 
 #include <sched.h>
 
-#include <fastrtps/attributes/LibrarySettingsAttributes.h>
-#include <fastrtps/xmlparser/XMLProfileManager.h>
 #include <algorithm>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
-#include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
@@ -21,6 +18,7 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/bus/fastdds_version.hpp"
 #include "runtime/bus/place.hpp"
 #include "runtime/bus/profile.hpp"
 #include "runtime/bus/qos.hpp"
@@ -30,8 +28,6 @@
 #include "runtime/config/start_error.hpp"
 
 namespace caravan::runtime {
-namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
 namespace {
 
 ParticipantId to_id(const rtps::GuidPrefix_t& prefix) {
@@ -48,9 +44,7 @@ void prepare_process() {
   (void)sched_setscheduler(0, SCHED_BATCH, &batch);  // refused in some containers: slower, not wrong
   // With intraprocess delivery write() would call the reader's callback in the writer's thread, under the
   // writer's locks.
-  eprosima::fastrtps::LibrarySettingsAttributes settings;
-  settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
-  eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+  turn_intraprocess_delivery_off();
   dds::DomainParticipantFactoryQos by_hand;
   by_hand.entity_factory().autoenable_created_entities = false;
   dds::DomainParticipantFactory::get_instance()->set_qos(by_hand);
@@ -72,7 +66,7 @@ dds::DomainParticipant* join(const BusConfig& config, dds::DomainParticipantQos 
     place->settle(wire.builtin, own);
     participant->set_qos(qos);
   }
-  const bool is_enabled = participant->enable() == ReturnCode_t::RETCODE_OK;
+  const bool is_enabled = is_ok(participant->enable());
   *gate = true;
   if (is_enabled) return participant;
   factory->delete_participant(participant);
@@ -80,31 +74,9 @@ dds::DomainParticipant* join(const BusConfig& config, dds::DomainParticipantQos 
 }
 
 /// Turns Fast DDS's discovery callbacks into Discovery values.
-class DiscoveryListener final : public dds::DomainParticipantListener {
+class DiscoveryListener final : public DiscoveryEvents {
  public:
   explicit DiscoveryListener(Bus::DiscoveryCallback discovered) : discovered_{std::move(discovered)} {}
-
-  void on_participant_discovery(dds::DomainParticipant* /*participant*/,
-                                rtps::ParticipantDiscoveryInfo&& found) override {
-    using Info = rtps::ParticipantDiscoveryInfo;
-    const ParticipantId id = to_id(found.info.m_guid.guidPrefix);
-    const bool gone = found.status == Info::REMOVED_PARTICIPANT || found.status == Info::DROPPED_PARTICIPANT;
-    if (!gone && found.status != Info::DISCOVERED_PARTICIPANT) return;
-    const std::lock_guard lock{mutex_};
-    if (!gone) known_[id] = to_identity(found.info.m_participantName.to_string());
-    report({gone ? Discovery::Kind::kGone : Discovery::Kind::kJoined, id, known_[id], ""});
-    if (gone) known_.erase(id);
-  }
-
-  void on_publisher_discovery(dds::DomainParticipant* own, rtps::WriterDiscoveryInfo&& found) override {
-    if (found.status != rtps::WriterDiscoveryInfo::DISCOVERED_WRITER) return;
-    endpoint_found(Discovery::Kind::kWriterFound, own, found.info.guid(), found.info.topicName().to_string());
-  }
-
-  void on_subscriber_discovery(dds::DomainParticipant* own, rtps::ReaderDiscoveryInfo&& found) override {
-    if (found.status != rtps::ReaderDiscoveryInfo::DISCOVERED_READER) return;
-    endpoint_found(Discovery::Kind::kReaderFound, own, found.info.guid(), found.info.topicName().to_string());
-  }
 
   /// No callback is running or will run after this.
   void mute() {
@@ -113,6 +85,26 @@ class DiscoveryListener final : public dds::DomainParticipantListener {
   }
 
  private:
+  void participant_found(const rtps::GUID_t& guid, const std::string& name) override {
+    const ParticipantId id = to_id(guid.guidPrefix);
+    const std::lock_guard lock{mutex_};
+    known_[id] = to_identity(name);
+    report({Discovery::Kind::kJoined, id, known_[id], ""});
+  }
+  void participant_gone(const rtps::GUID_t& guid) override {
+    const ParticipantId id = to_id(guid.guidPrefix);
+    const std::lock_guard lock{mutex_};
+    report({Discovery::Kind::kGone, id, known_[id], ""});
+    known_.erase(id);
+  }
+  void writer_found(dds::DomainParticipant* own, const rtps::GUID_t& guid,
+                    const std::string& topic) override {
+    endpoint_found(Discovery::Kind::kWriterFound, own, guid, topic);
+  }
+  void reader_found(dds::DomainParticipant* own, const rtps::GUID_t& guid,
+                    const std::string& topic) override {
+    endpoint_found(Discovery::Kind::kReaderFound, own, guid, topic);
+  }
   void endpoint_found(Discovery::Kind kind, const dds::DomainParticipant* own, const rtps::GUID_t& guid,
                       const std::string& topic) {
     if (guid.guidPrefix == own->guid().guidPrefix) return;
@@ -138,7 +130,7 @@ class Bus::Inbox final : public dds::DataReaderListener {
 
   void on_data_available(dds::DataReader* reader) override {
     dds::SampleInfo info;
-    while (reader->take_next_sample(sample_.get(), &info) == ReturnCode_t::RETCODE_OK) {
+    while (is_ok(reader->take_next_sample(sample_.get(), &info))) {
       if (info.valid_data) take_(sample_.get(), to_id(info.sample_identity.writer_guid().guidPrefix));
     }
   }
@@ -229,6 +221,6 @@ void Bus::close() {
   impl_->place.reset();
 }
 
-bool detail::write_sample(dds::DataWriter* writer, void* sample) { return writer->write(sample); }
+bool detail::write_sample(dds::DataWriter* writer, void* sample) { return is_ok(writer->write(sample)); }
 
 }  // namespace caravan::runtime

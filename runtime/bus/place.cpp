@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/bus/place.hpp"
 
-#include <fastdds/rtps/attributes/RTPSParticipantAttributes.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
@@ -19,7 +18,6 @@
 #include "runtime/config/start_error.hpp"
 
 namespace caravan::runtime {
-namespace rtps = eprosima::fastrtps::rtps;
 namespace {
 
 /// What the names of a domain's places begin with; the port's number follows.

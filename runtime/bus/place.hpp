@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Guid.h>
-
 #include <cstdint>
 
-namespace eprosima::fastrtps::rtps {
-class BuiltinAttributes;
-}
+#include "runtime/bus/fastdds_version.hpp"
 
 namespace caravan::runtime {
 
@@ -29,8 +25,7 @@ class Place {
   ///
   /// Of two that start in the same moment at least one knows of the other; the answer to its announcement
   /// makes it known there too. @param own  of the participant
-  void settle(eprosima::fastrtps::rtps::BuiltinAttributes& discovery,
-              const eprosima::fastrtps::rtps::GUID_t& own) const;
+  void settle(rtps::BuiltinAttributes& discovery, const rtps::GUID_t& own) const;
 
  private:
   std::uint32_t domain_;

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/bus/profile.hpp"
 
-#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
-
 #include <algorithm>
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <mutex>
 #include <optional>
 
 #include "runtime/config/start_error.hpp"
 
 namespace caravan::runtime {
-namespace dds = eprosima::fastdds::dds;
-
 namespace {
 
 /// Has DDS read the file, once in the life of the process.
@@ -22,8 +17,7 @@ void load_once(const std::filesystem::path& file) {
   const std::lock_guard lock{mutex};
   if (loaded == file) return;
   if (loaded) throw StartError{file.string() + ": this process already uses the profile " + loaded->string()};
-  if (dds::DomainParticipantFactory::get_instance()->load_XML_profiles_file(file) !=
-      ReturnCode_t::RETCODE_OK) {
+  if (!is_ok(dds::DomainParticipantFactory::get_instance()->load_XML_profiles_file(file))) {
     throw StartError{file.string() + ": not a Fast DDS profile file, or something in it is wrong"};
   }
   loaded = file;
@@ -31,17 +25,15 @@ void load_once(const std::filesystem::path& file) {
 
 }  // namespace
 
-bool is_shared_memory(
-    const std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface>& transport) {
-  return dynamic_cast<const eprosima::fastdds::rtps::SharedMemTransportDescriptor*>(transport.get()) !=
-         nullptr;
+bool is_shared_memory(const std::shared_ptr<rtps::TransportDescriptorInterface>& transport) {
+  return dynamic_cast<const rtps::SharedMemTransportDescriptor*>(transport.get()) != nullptr;
 }
 
 dds::DomainParticipantQos read_profile(const std::filesystem::path& file) {
   load_once(file);
   dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
-  if (dds::DomainParticipantFactory::get_instance()->get_participant_qos_from_profile(kProfileName, qos) !=
-      ReturnCode_t::RETCODE_OK) {
+  auto* const factory = dds::DomainParticipantFactory::get_instance();
+  if (!is_ok(factory->get_participant_qos_from_profile(kProfileName, qos))) {
     throw StartError{file.string() + ": no participant profile named \"" + kProfileName + "\""};
   }
   return qos;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
 #include <filesystem>
 #include <memory>
+
+#include "runtime/bus/fastdds_version.hpp"
 
 namespace caravan::runtime {
 
@@ -14,12 +15,11 @@ inline constexpr const char* kProfileName = "caravan";
 ///
 /// DDS keeps what it has read for the life of the process: only one file may be used in one process.
 /// @throws StartError when it cannot be read or has no such profile; DDS has said on standard error why
-[[nodiscard]] eprosima::fastdds::dds::DomainParticipantQos read_profile(const std::filesystem::path& file);
+[[nodiscard]] dds::DomainParticipantQos read_profile(const std::filesystem::path& file);
 
-[[nodiscard]] bool is_shared_memory(
-    const std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface>& transport);
+[[nodiscard]] bool is_shared_memory(const std::shared_ptr<rtps::TransportDescriptorInterface>& transport);
 /// Whether one of its transports is shared memory.
-[[nodiscard]] bool uses_shared_memory(const eprosima::fastdds::dds::DomainParticipantQos& qos);
-[[nodiscard]] bool uses_shared_memory_alone(const eprosima::fastdds::dds::DomainParticipantQos& qos);
+[[nodiscard]] bool uses_shared_memory(const dds::DomainParticipantQos& qos);
+[[nodiscard]] bool uses_shared_memory_alone(const dds::DomainParticipantQos& qos);
 
 }  // namespace caravan::runtime

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/bus/qos.hpp"
 
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
-#include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
-#include <fastrtps/utils/IPLocator.h>
-
 #include <filesystem>
 #include <limits>
 #include <memory>
 
 #include "runtime/bus/profile.hpp"
+#include "runtime/bus/shared_memory_port.hpp"
 
 namespace caravan::runtime {
-namespace dds = eprosima::fastdds::dds;
-namespace rtps = eprosima::fastrtps::rtps;
 namespace {
 
 constexpr std::uint32_t kMostProcesses = 120;  // of a domain on UDP: each has two of its 250 ports
@@ -65,7 +60,7 @@ std::int32_t fresh_number(std::uint32_t domain) {
   constexpr std::uint32_t kPortsOfADomain = 250;
   const auto is_used = [](std::uint32_t port) {
     std::error_code error;
-    return std::filesystem::exists("/dev/shm/fastrtps_port" + std::to_string(port), error);
+    return std::filesystem::exists(port_file(port), error);
   };
   for (std::int32_t number = 0; number < static_cast<std::int32_t>(kMostProcesses); ++number) {
     const std::uint32_t port = kFirstPort + kPortsOfADomain * domain + 2 * static_cast<std::uint32_t>(number);
@@ -98,14 +93,14 @@ dds::DomainParticipantQos qos_to_reach_others(const BusConfig& config) {
   return qos;
 }
 
-eprosima::fastrtps::Duration_t milliseconds(std::uint32_t count) {
+Duration milliseconds(std::uint32_t count) {
   return {static_cast<std::int32_t>(count / 1000), count % 1000 * 1'000'000};
 }
 
 }  // namespace
 
-std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory() {
-  const auto transport = std::make_shared<eprosima::fastdds::rtps::SharedMemTransportDescriptor>();
+std::shared_ptr<rtps::TransportDescriptorInterface> shared_memory() {
+  const auto transport = std::make_shared<rtps::SharedMemTransportDescriptor>();
   // Never, which is after 49 days. With the default of 1 s samples are lost for good when a process is
   // stopped for 2 s; and whoever starts between a check and the next message to a port that was checked
   // hangs.
@@ -113,8 +108,8 @@ std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_me
   return transport;
 }
 
-std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> loopback_udp() {
-  auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+std::shared_ptr<rtps::TransportDescriptorInterface> loopback_udp() {
+  auto transport = std::make_shared<rtps::UDPv4TransportDescriptor>();
   transport->interfaceWhiteList.emplace_back("127.0.0.1");
   transport->maxInitialPeersRange = kMostProcesses;  // by default the fifth process would not be looked for
   return transport;
@@ -128,9 +123,9 @@ dds::DomainParticipantQos participant_qos(const std::string& name, const BusConf
     qos.wire_protocol().participant_id = fresh_number(config.domain);
   }
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
-  discovery.leaseDuration = eprosima::fastrtps::Duration_t{static_cast<long double>(config.lease_s)};
+  discovery.leaseDuration = Duration{static_cast<long double>(config.lease_s)};
   discovery.leaseDuration_announcementperiod =
-      eprosima::fastrtps::Duration_t{static_cast<long double>(config.lease_s * kAnnouncedAfter)};
+      Duration{static_cast<long double>(config.lease_s * kAnnouncedAfter)};
   return qos;
 }
 
@@ -140,9 +135,8 @@ dds::DataWriterQos writer_qos(idl::Delivery delivery) {
   qos.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
   auto& reliable = qos.reliable_writer_qos();
   reliable.disable_heartbeat_piggyback = true;
-  reliable.times.nackSupressionDuration =
-      milliseconds(100);                               // the default wakes a second thread on every write
-  reliable.times.heartbeatPeriod = milliseconds(200);  // how soon a lost sample is noticed
+  nack_suppression(reliable.times) = milliseconds(100);  // the default wakes a second thread on every write
+  heartbeat_period(reliable.times) = milliseconds(200);  // how soon a lost sample is noticed
   return qos;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 #include <memory>
@@ -9,18 +8,18 @@
 
 #include "idl/topics.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/bus/fastdds_version.hpp"
 
 /// How the lockstep load is tuned for Fast DDS 2.9; docs/decisions/0003-fast-dds-recipe.md has the
 /// measurements.
 namespace caravan::runtime {
 
 /// The transport of a run on one machine: nothing leaves it.
-[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> shared_memory();
+[[nodiscard]] std::shared_ptr<rtps::TransportDescriptorInterface> shared_memory();
 /// UDP over 127.0.0.1 alone. Peers are found by unicast; no multicast is sent.
-[[nodiscard]] std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> loopback_udp();
-[[nodiscard]] eprosima::fastdds::dds::DomainParticipantQos participant_qos(const std::string& name,
-                                                                           const BusConfig& config);
-[[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(idl::Delivery delivery);
-[[nodiscard]] eprosima::fastdds::dds::DataReaderQos reader_qos(idl::Delivery delivery);
+[[nodiscard]] std::shared_ptr<rtps::TransportDescriptorInterface> loopback_udp();
+[[nodiscard]] dds::DomainParticipantQos participant_qos(const std::string& name, const BusConfig& config);
+[[nodiscard]] dds::DataWriterQos writer_qos(idl::Delivery delivery);
+[[nodiscard]] dds::DataReaderQos reader_qos(idl::Delivery delivery);
 
 }  // namespace caravan::runtime

@@ -1,40 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/bus/quiet_start.hpp"
 
-#include <fastdds/rtps/transport/ChainingTransport.h>
-#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
-
 #include "runtime/bus/profile.hpp"
 
 namespace caravan::runtime {
 namespace {
 
-namespace rtps = eprosima::fastrtps::rtps;
-using eprosima::fastdds::rtps::ChainingTransport;
-using eprosima::fastdds::rtps::ChainingTransportDescriptor;
-using eprosima::fastdds::rtps::TransportDescriptorInterface;
-using eprosima::fastdds::rtps::TransportInterface;
-using eprosima::fastdds::rtps::TransportReceiverInterface;
-
-struct QuietDescriptor : ChainingTransportDescriptor {
-  QuietDescriptor(std::shared_ptr<TransportDescriptorInterface> behind, SendGate may_send)
+struct QuietDescriptor : rtps::ChainingTransportDescriptor {
+  QuietDescriptor(std::shared_ptr<rtps::TransportDescriptorInterface> behind, SendGate may_send)
       : ChainingTransportDescriptor(std::move(behind)), gate{std::move(may_send)} {}
-  [[nodiscard]] TransportInterface* create_transport() const override;
+  [[nodiscard]] rtps::TransportInterface* create_transport() const override;
   SendGate gate;
 };
 
-class QuietTransport final : public ChainingTransport {
+class QuietTransport final : public rtps::ChainingTransport {
  public:
   explicit QuietTransport(const QuietDescriptor& descriptor)
       : ChainingTransport(descriptor), descriptor_{descriptor} {}
 
-  TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
-  bool send(rtps::SenderResource* sender, const rtps::octet* buffer, std::uint32_t size,
+  rtps::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
+  bool send(rtps::SenderResource* sender, OutgoingBytes bytes, std::uint32_t size,
             rtps::LocatorsIterator* begin, rtps::LocatorsIterator* end,
             const std::chrono::steady_clock::time_point& timeout) override {
-    return !*descriptor_.gate || sender->send(buffer, size, begin, end, timeout);
+    return !*descriptor_.gate || sender->send(bytes, size, begin, end, timeout);
   }
-  void receive(TransportReceiverInterface* next, const rtps::octet* buffer, std::uint32_t size,
+  void receive(rtps::TransportReceiverInterface* next, const rtps::octet* buffer, std::uint32_t size,
                const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
     next->OnDataReceived(buffer, size, local, remote);
   }
@@ -43,11 +33,11 @@ class QuietTransport final : public ChainingTransport {
   QuietDescriptor descriptor_;
 };
 
-TransportInterface* QuietDescriptor::create_transport() const { return new QuietTransport(*this); }
+rtps::TransportInterface* QuietDescriptor::create_transport() const { return new QuietTransport(*this); }
 
 }  // namespace
 
-SendGate hold_back_network(eprosima::fastdds::dds::DomainParticipantQos& qos) {
+SendGate hold_back_network(dds::DomainParticipantQos& qos) {
   auto gate = std::make_shared<std::atomic<bool>>(false);
   for (auto& transport : qos.transport().user_transports) {
     if (!is_shared_memory(transport)) transport = std::make_shared<QuietDescriptor>(transport, gate);

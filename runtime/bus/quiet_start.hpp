@@ -2,8 +2,9 @@
 #pragma once
 
 #include <atomic>
-#include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
 #include <memory>
+
+#include "runtime/bus/fastdds_version.hpp"
 
 namespace caravan::runtime {
 
@@ -15,6 +16,6 @@ using SendGate = std::shared_ptr<std::atomic<bool>>;
 /// DDS announces a participant a moment before it begins to hear: who answers at once is not heard, and
 /// takes the newcomer for one that knows it already.
 /// @return the gate, closed; to be opened when the participant is enabled
-[[nodiscard]] SendGate hold_back_network(eprosima::fastdds::dds::DomainParticipantQos& qos);
+[[nodiscard]] SendGate hold_back_network(dds::DomainParticipantQos& qos);
 
 }  // namespace caravan::runtime

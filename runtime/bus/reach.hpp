@@ -27,5 +27,7 @@ struct Reach {
 
 /// Version of the DDS library that the program was built with.
 [[nodiscard]] std::string dds_version();
+/// What the name of its file begins with.
+[[nodiscard]] std::string dds_library();
 
 }  // namespace caravan::runtime

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/bus/shared_memory_port.hpp"
 
-#include <filesystem>
 #include <random>
-#include <string>
 
 namespace caravan::runtime {
-namespace rtps = eprosima::fastrtps::rtps;
 namespace {
 
 constexpr std::uint32_t kPortsOfADomain = 1'000'000;  // domain 0 has them from here on
@@ -21,7 +18,7 @@ std::uint32_t fresh_port(std::uint32_t domain) {
   std::uint32_t port = 0;
   do {
     port = kPortsOfADomain * (domain + 1) + number(source);
-  } while (std::filesystem::exists("/dev/shm/fastrtps_port" + std::to_string(port), error));
+  } while (std::filesystem::exists(port_file(port), error));
   return port;
 }
 
@@ -31,6 +28,12 @@ rtps::Locator_t shared_memory_locator(std::uint32_t port, const rtps::GUID_t& ow
   locator.address[1] = own.guidPrefix.value[2];
   locator.address[2] = own.guidPrefix.value[3];
   return locator;
+}
+
+std::string shared_memory_mark() { return kSharedMemoryMark; }
+
+std::filesystem::path port_file(std::uint32_t port) {
+  return std::filesystem::path{"/dev/shm"} / (shared_memory_mark() + "port" + std::to_string(port));
 }
 
 bool is_port_of(std::uint32_t port, std::uint32_t domain) {

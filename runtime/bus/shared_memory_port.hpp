@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <fastdds/rtps/common/Guid.h>
-#include <fastdds/rtps/common/Locator.h>
-
 #include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "runtime/bus/fastdds_version.hpp"
 
 namespace caravan::runtime {
 
@@ -15,10 +16,14 @@ namespace caravan::runtime {
 [[nodiscard]] std::uint32_t fresh_port(std::uint32_t domain);
 
 /// Where a port with one reader is. @param own  of a participant: its host is part of the address
-[[nodiscard]] eprosima::fastrtps::rtps::Locator_t shared_memory_locator(
-    std::uint32_t port, const eprosima::fastrtps::rtps::GUID_t& own);
+[[nodiscard]] rtps::Locator_t shared_memory_locator(std::uint32_t port, const rtps::GUID_t& own);
 
-/// Whether a port of shared memory (/dev/shm/fastrtps_portNUMBER) is of the domain: one of those above, or of
+/// What the names of DDS's files in /dev/shm begin with; those of semaphores have "sem." before it.
+[[nodiscard]] std::string shared_memory_mark();
+/// The file of a port, whether there is one or not.
+[[nodiscard]] std::filesystem::path port_file(std::uint32_t port);
+
+/// Whether a port of shared memory is of the domain: one of those above, or of
 /// the 250 that DDS itself gives a domain.
 [[nodiscard]] bool is_port_of(std::uint32_t port, std::uint32_t domain);
 

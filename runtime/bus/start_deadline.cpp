@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "runtime/bus/fastdds_version.hpp"
+
 namespace caravan::runtime {
 
 StartDeadline::StartDeadline(std::uint32_t domain) : watcher_{[this, domain] { watch(domain); }} {}
@@ -23,8 +25,8 @@ void StartDeadline::watch(std::uint32_t domain) {
   if (changed_.wait_for(lock, std::chrono::seconds{15}, [this] { return joined_; })) return;
   std::fprintf(stderr,
                "DDS hangs while joining domain %u: a killed process has left a broken port there; remove "
-               "/dev/shm/*fastrtps_port%u* to %u* or take another domain\n",
-               domain, 7400 + 250 * domain, 7649 + 250 * domain);
+               "/dev/shm/*%sport%u* to %u* or take another domain\n",
+               domain, kSharedMemoryMark, 7400 + 250 * domain, 7649 + 250 * domain);
   std::_Exit(2);
 }
 

@@ -9,6 +9,8 @@
 #include <sstream>
 
 #include "deploy/kit/deployment_test.hpp"
+#include "runtime/bus/reach.hpp"
+#include "runtime/bus/shared_memory_port.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan::test {
@@ -162,8 +164,9 @@ TEST_F(DeploymentKit, GoesByTheTransportThatItIsTold) {
   ASSERT_TRUE(comes("it runs", "members is 4 and step > 50", 30s));
   for (const auto& [name, process] : seen().processes) {
     const std::string maps = read_file("/proc/" + std::to_string(process.pid) + "/maps");
-    EXPECT_THAT(maps, HasSubstr("libfastrtps")) << name;
-    EXPECT_THAT(maps, ::testing::Not(HasSubstr("/dev/shm/fastrtps"))) << name << " shares memory";
+    EXPECT_THAT(maps, HasSubstr(runtime::dds_library())) << name;
+    EXPECT_THAT(maps, ::testing::Not(HasSubstr("/dev/shm/" + runtime::shared_memory_mark())))
+        << name << " shares memory";
   }
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two participants in lockstep over a transport that loses packets on purpose: reliability must repair it
 // soon.
-#include <fastdds/rtps/transport/ChainingTransport.h>
-#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,13 +12,14 @@
 #include "idl/robot_types.hpp"
 #include "idl/stamp.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/bus/fastdds_version.hpp"
 #include "runtime/bus/qos.hpp"
 
 namespace caravan::test {
 namespace {
 
 namespace msg = caravan_interfaces::msg;
-namespace rtps = eprosima::fastdds::rtps;
+namespace rtps = runtime::rtps;
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
@@ -38,20 +37,18 @@ class LossyTransport : public rtps::ChainingTransport {
       : ChainingTransport(descriptor), descriptor_{descriptor} {}
 
   rtps::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
-  bool send(eprosima::fastrtps::rtps::SenderResource* low_sender,
-            const eprosima::fastrtps::rtps::octet* buffer, std::uint32_t size,
-            eprosima::fastrtps::rtps::LocatorsIterator* begin,
-            eprosima::fastrtps::rtps::LocatorsIterator* end, const Clock::time_point& timeout) override {
+  bool send(rtps::SenderResource* low_sender, runtime::OutgoingBytes bytes, std::uint32_t size,
+            rtps::LocatorsIterator* begin, rtps::LocatorsIterator* end,
+            const Clock::time_point& timeout) override {
     const int drop_every = *descriptor_.drop_every;
     if (drop_every > 0 && ++sent_ % drop_every == 0) {
       ++*descriptor_.dropped;
       return true;
     }
-    return low_sender->send(buffer, size, begin, end, timeout);
+    return low_sender->send(bytes, size, begin, end, timeout);
   }
-  void receive(rtps::TransportReceiverInterface* next, const eprosima::fastrtps::rtps::octet* buffer,
-               std::uint32_t size, const eprosima::fastrtps::rtps::Locator_t& local,
-               const eprosima::fastrtps::rtps::Locator_t& remote) override {
+  void receive(rtps::TransportReceiverInterface* next, const rtps::octet* buffer, std::uint32_t size,
+               const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
     next->OnDataReceived(buffer, size, local, remote);
   }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "deploy/launcher/domain_lock.hpp"
+#include "runtime/bus/shared_memory_port.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan::test {
@@ -72,8 +73,9 @@ TEST_F(UdpRun, ListensAndSendsOnLoopbackOnlyAndSharesNoMemory) {
     EXPECT_THAT(addresses, Not(IsEmpty()));
     EXPECT_THAT(addresses, Each("0100007F"));
     EXPECT_EQ(addresses.size(), 3U) << "two to receive, one to send; a launcher's are not its children's";
-    EXPECT_EQ(read_file("/proc/" + std::to_string(pid) + "/maps").find("/dev/shm/fastrtps"),
-              std::string::npos);
+    EXPECT_EQ(
+        read_file("/proc/" + std::to_string(pid) + "/maps").find("/dev/shm/" + runtime::shared_memory_mark()),
+        std::string::npos);
   }
   Process ctl{{"caravan", "ctl", "--domain", std::to_string(lock_.domain()), "--transport", "udp", "status"},
               folder_ / "ctl.log"};

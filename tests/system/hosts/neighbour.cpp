@@ -7,11 +7,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
-#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
+
+#include "runtime/bus/fastdds_version.hpp"
 
 namespace fast = eprosima::fastdds::dds;
 
@@ -34,7 +35,7 @@ int main(int argc, char** argv) {
     rosgraph_msgs::msg::Clock clock;
     fast::SampleInfo info;
     reader->wait_for_unread_message({1, 0});
-    heard = reader->take_next_sample(&clock, &info) == ReturnCode_t::RETCODE_OK && info.valid_data;
+    heard = caravan::runtime::is_ok(reader->take_next_sample(&clock, &info)) && info.valid_data;
     if (heard) std::printf("heard the clock at %d.%09u s\n", clock.clock().sec(), clock.clock().nanosec());
   }
   participant->delete_contained_entities();

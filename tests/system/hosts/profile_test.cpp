@@ -5,6 +5,7 @@
 
 #include "build_paths.hpp"
 #include "deploy/launcher/domain_lock.hpp"
+#include "runtime/bus/shared_memory_port.hpp"
 #include "tests/system/hosts/network.hpp"
 #include "tests/system/support/digest_of.hpp"
 #include "tests/system/support/process.hpp"
@@ -41,7 +42,8 @@ TEST_F(Profile, OfASingleHostIsWhatIsDoneWithoutOne) {
   Process ctl{{"caravan", "ctl", "--domain", std::to_string(lock_.domain()), "status"}, folder_ / "ctl.log"};
   EXPECT_EQ(ctl.wait(30s), 0) << ctl.output();
   EXPECT_THAT(ctl.output(), HasSubstr("waiting")) << "it speaks with one that was told nothing";
-  EXPECT_THAT(read_file("/proc/" + std::to_string(world.pid()) + "/maps"), HasSubstr("/dev/shm/fastrtps"));
+  EXPECT_THAT(read_file("/proc/" + std::to_string(world.pid()) + "/maps"),
+              HasSubstr("/dev/shm/" + runtime::shared_memory_mark()));
   world.signal(SIGTERM);
   EXPECT_EQ(world.wait(20s), 0) << world.output();
 }

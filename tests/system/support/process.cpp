@@ -68,9 +68,10 @@ std::vector<std::string> left_in_shared_memory(std::uint32_t domain) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator{"/dev/shm"}) {
     const std::string name = entry.path().filename();
-    const std::size_t place = name.find("fastrtps_port");
+    const std::string mark = runtime::shared_memory_mark() + "port";
+    const std::size_t place = name.find(mark);
     if (place == std::string::npos) continue;
-    const unsigned long port = std::strtoul(name.c_str() + place + 13, nullptr, 10);
+    const unsigned long port = std::strtoul(name.c_str() + place + mark.size(), nullptr, 10);
     if (runtime::is_port_of(static_cast<std::uint32_t>(port), domain)) names.push_back(name);
   }
   return names;

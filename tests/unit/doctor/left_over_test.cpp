@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "deploy/launcher/shared_memory.hpp"
+#include "runtime/bus/shared_memory_port.hpp"
 
 namespace caravan::deploy {
 namespace {
@@ -20,6 +21,8 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
+
+std::string of_dds(const std::string& rest) { return runtime::shared_memory_mark() + rest; }
 
 /// A folder in the place of /dev/shm.
 class LeftOver : public testing::Test {
@@ -44,38 +47,38 @@ class LeftOver : public testing::Test {
 };
 
 TEST_F(LeftOver, IsWhatIsOldAndOfDds) {
-  make("fastrtps_0123", 1h);
-  make("fastrtps_0123_el", 1h);
-  make("fastrtps_port7410", 1h);
-  make("sem.fastrtps_port7410_mutex", 1h);
-  make("fastrtps_4567", 0s);   // somebody is starting
+  make(of_dds("0123"), 1h);
+  make(of_dds("0123_el"), 1h);
+  make(of_dds("port7410"), 1h);
+  make("sem." + of_dds("port7410_mutex"), 1h);
+  make(of_dds("4567"), 0s);    // somebody is starting
   make("somebody_elses", 1h);  // not of DDS
   make("sem.other_mutex", 1h);
-  EXPECT_THAT(left(), ElementsAre("fastrtps_0123", "fastrtps_0123_el", "fastrtps_port7410",
-                                  "sem.fastrtps_port7410_mutex"));
+  EXPECT_THAT(left(), ElementsAre(of_dds("0123"), of_dds("0123_el"), of_dds("port7410"),
+                                  "sem." + of_dds("port7410_mutex")));
   EXPECT_EQ(left_by_the_dead(folder_).front().bytes, 5U);
   EXPECT_EQ(remove_left_by_the_dead(folder_), 4U);
   EXPECT_THAT(left(), IsEmpty());
   EXPECT_TRUE(fs::exists(folder_ / "somebody_elses"));
-  EXPECT_TRUE(fs::exists(folder_ / "fastrtps_4567"));
+  EXPECT_TRUE(fs::exists(folder_ / of_dds("4567")));
 }
 
 TEST_F(LeftOver, IsNotWhatSomebodyHasMapped) {
-  const fs::path file = make("fastrtps_0123", 1h);
-  make("fastrtps_0123_el", 1h);
+  const fs::path file = make(of_dds("0123"), 1h);
+  make(of_dds("0123_el"), 1h);
   const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
   void* mapped = mmap(nullptr, 5, PROT_READ, MAP_SHARED, descriptor, 0);
   close(descriptor);
   ASSERT_NE(mapped, MAP_FAILED);
   EXPECT_THAT(left(), IsEmpty());
   munmap(mapped, 5);
-  EXPECT_THAT(left(), ElementsAre("fastrtps_0123", "fastrtps_0123_el"));
+  EXPECT_THAT(left(), ElementsAre(of_dds("0123"), of_dds("0123_el")));
 }
 
 TEST_F(LeftOver, IsNotWhatSomebodyUnseenHasLocked) {
-  make("fastrtps_port7410", 1h);
-  make("sem.fastrtps_port7410_mutex", 1h);
-  const fs::path lock = make("fastrtps_port7410_sl", 1h);
+  make(of_dds("port7410"), 1h);
+  make("sem." + of_dds("port7410_mutex"), 1h);
+  const fs::path lock = make(of_dds("port7410_sl"), 1h);
   const int descriptor = open(lock.c_str(), O_RDONLY | O_CLOEXEC);
   ASSERT_EQ(flock(descriptor, LOCK_SH), 0);
   EXPECT_THAT(left(), IsEmpty());
