@@ -31,6 +31,8 @@ inline constexpr const char* kDdsVersion = FASTDDS_VERSION_STR;
 inline constexpr const char* kDdsLibrary = "libfastdds";
 /// The names of its files in /dev/shm begin with it.
 inline constexpr const char* kSharedMemoryMark = "fastdds_";
+/// The profile of deploy/fastdds that asks a Discovery Server.
+inline constexpr const char* kDiscoveryProfile = "discovery_3.xml";
 
 using Duration = dds::Duration_t;
 /// What a transport is given to send.
@@ -111,6 +113,8 @@ inline constexpr const char* kDdsVersion = FASTRTPS_VERSION_STR;
 inline constexpr const char* kDdsLibrary = "libfastrtps";
 /// The names of its files in /dev/shm begin with it.
 inline constexpr const char* kSharedMemoryMark = "fastrtps_";
+/// The profile of deploy/fastdds that asks a Discovery Server.
+inline constexpr const char* kDiscoveryProfile = "discovery.xml";
 
 using Duration = eprosima::fastrtps::Duration_t;
 /// What a transport is given to send.

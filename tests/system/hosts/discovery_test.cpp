@@ -6,6 +6,7 @@
 
 #include "build_paths.hpp"
 #include "deploy/launcher/domain_lock.hpp"
+#include "runtime/bus/fastdds_version.hpp"
 #include "tests/system/hosts/fleet.hpp"
 
 namespace caravan::test {
@@ -27,7 +28,7 @@ constexpr const char* kLease_s = "15";
 class DiscoveryServer : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string text = replaced(read_file(profile("discovery.xml")), "11811", port_);
+    std::string text = replaced(read_file(profile(runtime::kDiscoveryProfile)), "11811", port_);
     while (text.find("11811") != std::string::npos) text = replaced(text, "11811", port_);
     const std::string name = "<transport_id>discovery</transport_id>";
     write_file(

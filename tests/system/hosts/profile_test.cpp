@@ -5,6 +5,7 @@
 
 #include "build_paths.hpp"
 #include "deploy/launcher/domain_lock.hpp"
+#include "runtime/bus/fastdds_version.hpp"
 #include "runtime/bus/shared_memory_port.hpp"
 #include "tests/system/hosts/network.hpp"
 #include "tests/system/support/digest_of.hpp"
@@ -79,7 +80,7 @@ TEST_F(Profile, IsLookedAtByTheDoctor) {
   EXPECT_THAT(good.output(), HasSubstr("shared memory   not used by this transport"));
   const std::string mark = "<transport_id>discovery</transport_id>";
   const std::string elsewhere = "<interfaceWhiteList><address>192.0.2.1</address></interfaceWhiteList>";
-  std::string text = read_file(profile("discovery.xml"));
+  std::string text = read_file(profile(runtime::kDiscoveryProfile));
   text = replaced(replaced(text, mark, mark + elsewhere), "<port>11811", "<port>9");
   write_file(folder_ / "discovery.xml", text);
   Process bad{{"caravan", "doctor", "--domain", "9", "--transport", folder_ / "discovery.xml"},
