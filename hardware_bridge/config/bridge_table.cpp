@@ -88,6 +88,7 @@ RobotConfig load_robot_config(const runtime::TomlDocument& scenario, std::uint32
   config.name = "caravan_" + std::to_string(robot);
   config.arena = place_of(table);
   config.compass_offset_rad = table.compass_offset_rad;
+  config.antenna_B = {table.antenna_m[0], table.antenna_m[1]};
   config.track_m = robots.track_m;
   config.wheel_radius_m = robots.wheel_radius_m;
   config.watchdog = to_time(table.watchdog_s);

@@ -14,6 +14,13 @@ constexpr double kHdop = 0.9;
 
 }  // namespace
 
+Point antenna_place(const Pose& robot, const Point& antenna_B) {
+  const double cosine = std::cos(robot.yaw_WB_rad);
+  const double sine = std::sin(robot.yaw_WB_rad);
+  return {robot.p_WB.x_m + cosine * antenna_B.x_m - sine * antenna_B.y_m,
+          robot.p_WB.y_m + sine * antenna_B.x_m + cosine * antenna_B.y_m};
+}
+
 void GpsReceiver::sense(const Point& antenna_W, Time now) {
   sensed_.reset();
   if (std::isfinite(antenna_W.x_m) && std::isfinite(antenna_W.y_m)) sensed_ = Sensed{antenna_W, now};

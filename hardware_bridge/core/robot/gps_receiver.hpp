@@ -9,6 +9,9 @@
 
 namespace caravan::bridge {
 
+/// Where in W an antenna is that is mounted on a robot.
+[[nodiscard]] Point antenna_place(const Pose& robot, const Point& antenna_B);
+
 /// An emulated GPS receiver on the robot: GGA and RMC once a period.
 class GpsReceiver {
  public:

@@ -2,6 +2,7 @@
 #include "hardware_bridge/core/robot/motion_control.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace caravan::bridge {
 namespace {
@@ -23,7 +24,18 @@ double approached(double speed, double goal, double acceleration, double deceler
 
 }  // namespace
 
+void MotionControl::want_ahead(const Setpoint& setpoint) {
+  if (std::exchange(by_wheels_, false)) turn_ = 0.0;
+  ahead_ = setpoint;
+}
+
+void MotionControl::want_turn(const Setpoint& setpoint) {
+  if (std::exchange(by_wheels_, false)) ahead_ = 0.0;
+  turn_ = setpoint;
+}
+
 void MotionControl::want_wheels(double left_mps, double right_mps) {
+  by_wheels_ = true;
   ahead_ = 0.5 * (left_mps + right_mps);
   turn_ = (right_mps - left_mps) / track_m_;
 }

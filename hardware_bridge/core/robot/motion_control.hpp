@@ -23,7 +23,8 @@ struct MotionLimits {
 /// accelerations.
 ///
 /// Translation and rotation are independent: each has one setpoint, a speed or a place, and the newest one
-/// counts. Wheel speeds are taken apart into the two, so that the same limits hold for them.
+/// counts. Wheel speeds are taken apart into the two, so that the same limits hold for them; they and the
+/// others exclude one another.
 class MotionControl {
  public:
   explicit MotionControl(double track_m) : track_m_{track_m} {}
@@ -35,10 +36,10 @@ class MotionControl {
   };
 
   void set_limits(const MotionLimits& limits) { limits_ = limits; }
-  void want_speed(double mps) { ahead_ = mps; }
-  void want_distance(double metres, const Place& from) { ahead_ = Until{from.travelled_m + metres}; }
-  void want_turn_rate(double radps) { turn_ = radps; }
-  void want_heading(double yaw_rad) { turn_ = Until{wrapped(yaw_rad)}; }
+  void want_speed(double mps) { want_ahead(mps); }
+  void want_distance(double metres, const Place& from) { want_ahead(Until{from.travelled_m + metres}); }
+  void want_turn_rate(double radps) { want_turn(radps); }
+  void want_heading(double yaw_rad) { want_turn(Until{wrapped(yaw_rad)}); }
   void want_wheels(double left_mps, double right_mps);
   void want_stop();
   /// At zero at once, whatever the deceleration.
@@ -63,12 +64,15 @@ class MotionControl {
   };
   using Setpoint = std::variant<double, Until>;  // a speed, or a place
 
+  void want_ahead(const Setpoint& setpoint);
+  void want_turn(const Setpoint& setpoint);
   [[nodiscard]] double wanted_turn_radps(const Place& place) const;
 
   double track_m_;
   MotionLimits limits_;
   Setpoint ahead_ = 0.0;
   Setpoint turn_ = 0.0;
+  bool by_wheels_ = false;  // both are of wheel speeds
   double ahead_mps_ = 0.0;
   double turn_radps_ = 0.0;
   std::optional<Time> last_;

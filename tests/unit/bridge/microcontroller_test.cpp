@@ -7,8 +7,9 @@
 #include <map>
 #include <set>
 
+#include "hardware_bridge/core/robot/body_watch.hpp"
 #include "hardware_bridge/core/robot/gps_receiver.hpp"
-#include "hardware_bridge/core/robot/microcontroller.hpp"
+#include "tests/unit/bridge/robot_bench.hpp"
 
 namespace caravan::bridge {
 namespace {
@@ -17,45 +18,12 @@ using arcos::Bytes;
 using arcos::encode;
 using arcos::Order;
 using arcos::Sip;
-using namespace std::chrono_literals;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-constexpr double kRadius_m = 0.0975;
-
-class Robot : public ::testing::Test {
- protected:
-  void say(const Bytes& packet) { robot_.receive(packet, now_); }
-  void open() {
-    robot_.connected(now_);
-    for (const Order order : {Order::kPulse, Order::kOpen, Order::kClose, Order::kOpen}) say(encode(order));
-    say(encode(Order::kEnable, 1));
-    say(encode(Order::kSonar, 1));
-    (void)robot_.take_output();
-  }
-  /// Lets the wheels do what they are told for a time; `grip` 0: they are blocked.
-  void run(Time span, double grip = 1.0) {
-    for (const Time end = now_ + span; now_ < end;) {
-      now_ += 10ms;
-      drive_ = robot_.drive(now_);
-      senses_.left_wheel_rad += grip * 0.01 * drive_.left_mps / kRadius_m;
-      senses_.right_wheel_rad += grip * 0.01 * drive_.right_mps / kRadius_m;
-      robot_.sense(senses_, now_);
-      for (const Bytes& data : packets_.feed(robot_.take_output())) {
-        if (auto sip = arcos::decode_sip(data)) sips_.push_back(std::move(*sip));
-      }
-    }
-  }
-
-  Microcontroller robot_{{}};
-  Time now_{0};
-  BodySenses senses_;
-  BodyDrive drive_;
-  arcos::PacketFinder packets_;
-  std::vector<Sip> sips_;
-};
+using Robot = RobotBench;
 
 TEST_F(Robot, EchoesSyncsAndNamesItself) {
   robot_.connected(now_);
@@ -253,6 +221,35 @@ TEST_F(Robot, AClosedConnectionStopsEverything) {
   run(500ms);
   EXPECT_EQ(drive_.left_mps, 0.0);
   EXPECT_THAT(sips_, IsEmpty());
+}
+
+TEST(GpsReceiver, StandsWhereItsAntennaIsMounted) {
+  const Point ahead = antenna_place({{3.0, 4.0}, 0.5 * std::numbers::pi}, {0.5, 0.25});
+  EXPECT_NEAR(ahead.x_m, 2.75, 1e-9) << "to the left of a robot that looks north";
+  EXPECT_NEAR(ahead.y_m, 4.5, 1e-9);
+  const Point behind = antenna_place({{3.0, 4.0}, 0.0}, {-1.0, 0.0});
+  EXPECT_NEAR(behind.x_m, 2.0, 1e-9);
+  EXPECT_NEAR(behind.y_m, 4.0, 1e-9);
+}
+
+TEST(BodyWatch, TellsThatNobodyComesAfterASecondAndThenOnceAMinute) {
+  BodyWatch watch;
+  EXPECT_EQ(watch.look(999ms), std::nullopt);
+  EXPECT_EQ(watch.next_look(), 1s);
+  EXPECT_EQ(watch.look(1s), BodyWatch::News::kNoBody);
+  EXPECT_EQ(watch.look(60s), std::nullopt);
+  EXPECT_EQ(watch.look(61s), BodyWatch::News::kNoBody);
+}
+
+TEST(BodyWatch, TellsThatFramesHaveCeased) {
+  BodyWatch watch;
+  for (Time now = 0ms; now < 5s; now += 32ms) {
+    watch.heard(now);
+    EXPECT_EQ(watch.look(now), std::nullopt);
+  }
+  EXPECT_EQ(watch.look(5900ms), std::nullopt);
+  EXPECT_EQ(watch.look(6s), BodyWatch::News::kSilent);
+  EXPECT_EQ(watch.look(7s), std::nullopt);
 }
 
 TEST(GpsReceiver, TellsItsPlaceTenTimesASecondAndItsCourseWhileItMoves) {
