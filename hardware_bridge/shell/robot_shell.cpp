@@ -16,6 +16,8 @@ using runtime::Watched;
 RobotShell::RobotShell(const RobotConfig& config, std::uint32_t robot, const Ports& ports,
                        const runtime::BusConfig& bus, runtime::Loop& loop)
     : config_{config},
+      number_{robot},
+      domain_{bus.domain},
       loop_{loop},
       began_{std::chrono::steady_clock::now()},
       robot_port_{ports.robot},
@@ -36,6 +38,7 @@ RobotShell::~RobotShell() { bus_.close(); }
 void RobotShell::on_body(const msg::SensorFrame& frame) {
   const std::lock_guard lock{mutex_};
   if (frame.session() < session_) return;
+  body_watch_.heard(now());
   if (frame.session() > session_) {
     spdlog::info("switched on: session={}", frame.session());
     session_ = frame.session();
@@ -49,7 +52,8 @@ void RobotShell::on_body(const msg::SensorFrame& frame) {
                 .right_wheel_rad = frame.right_wheel_rad(),
                 .holding = frame.holding()},
                now());
-  gps_.sense({frame.gps_x_m(), frame.gps_y_m()}, now());
+  const Pose pose{{frame.gps_x_m(), frame.gps_y_m()}, frame.compass_yaw_rad()};
+  gps_.sense(antenna_place(pose, config_.antenna_B), now());
   answer(frame);
 }
 
@@ -70,18 +74,57 @@ int RobotShell::run() {
     std::array<Watched, 4> watched{robot_port_.watched(), gps_port_.watched(), host_.watched(),
                                    gps_client_.watched()};
     if (loop_.wait(next_deadline(), watched) == runtime::Loop::Woken::kStop) return runtime::kDone;
+    tell_whether_a_body_is_there();
     attend_robot(watched[0].ready, watched[2].ready);
     attend_gps(watched[1].ready, watched[3].ready);
   }
 }
 
-std::optional<runtime::WallTime> RobotShell::next_deadline() const {
+runtime::WallTime RobotShell::next_deadline() const {
   const std::lock_guard lock{mutex_};
-  std::optional<Time> due;
-  if (robot_.is_open()) due = robot_.next_deadline();
-  if (gps_client_.is_open()) due = std::min(due.value_or(Time::max()), gps_.next_deadline());
-  if (!due) return std::nullopt;
-  return began_ + *due;
+  Time due = body_watch_.next_look();
+  if (robot_.is_open()) due = std::min(due, robot_.next_deadline());
+  if (gps_client_.is_open()) due = std::min(due, gps_.next_deadline());
+  return began_ + due;
+}
+
+void RobotShell::tell_whether_a_body_is_there() {
+  const std::lock_guard lock{mutex_};
+  const auto news = body_watch_.look(now());
+  if (!news) return;
+  const std::string topic = idl::name_for(idl::kBodySensors, number_);
+  if (*news == BodyWatch::News::kNoBody) {
+    spdlog::warn(
+        "nobody serves {} in DDS domain {}, hosts are turned away: start world_server there with --bodies {} "
+        "(without --bodies it serves {})",
+        topic, domain_, number_, idl::name_for(idl::kSensors, number_));
+  } else {
+    spdlog::warn("nothing comes on {} any more: the world has ended, is paused, or waits for others", topic);
+  }
+}
+
+void RobotShell::tell_unknown_commands() {
+  for (const std::uint8_t number : robot_.unknown_commands()) {
+    if (!told_unknown_.insert(number).second) continue;
+    spdlog::warn("the host sends command {}, which this robot does not know: ignored (docs/arcos.md)",
+                 number);
+  }
+}
+
+void RobotShell::let_in_a_host() {
+  auto another = robot_port_.accept();
+  if (!another) return;
+  // One host at a time; none while the robot has no body, as if it were switched off.
+  if (!host_.is_open() && session_ != 0) {
+    host_.adopt(std::move(*another));
+    robot_.connected(now());
+    told_unknown_.clear();
+    told_turned_away_ = false;
+    spdlog::info("a host has connected");
+  } else if (!std::exchange(told_turned_away_, true)) {
+    spdlog::info("a host was turned away: {}",
+                 host_.is_open() ? "another one is connected" : "the robot has no body yet");
+  }
 }
 
 void RobotShell::attend_robot(bool host_waits, bool ready) {
@@ -90,18 +133,11 @@ void RobotShell::attend_robot(bool host_waits, bool ready) {
     spdlog::info("the host's connection ends");
     host_.close();
   }
-  if (host_waits) {
-    auto another = robot_port_.accept();
-    // One host at a time; none while the robot has no body, as if it were switched off.
-    if (another && !host_.is_open() && session_ != 0) {
-      host_.adopt(std::move(*another));
-      robot_.connected(now());
-      spdlog::info("a host has connected");
-    }
-  }
+  if (host_waits) let_in_a_host();
   if (ready && host_.is_open()) {
     const Bytes bytes = host_.attend();
     robot_.receive(bytes, now());
+    tell_unknown_commands();
     if (!host_.is_open()) {
       robot_.disconnected();
       spdlog::info("the host has gone: {}", host_.failure());

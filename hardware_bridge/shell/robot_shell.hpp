@@ -2,7 +2,9 @@
 #pragma once
 
 #include <mutex>
+#include <set>
 
+#include "hardware_bridge/core/robot/body_watch.hpp"
 #include "hardware_bridge/core/robot/gps_receiver.hpp"
 #include "hardware_bridge/core/robot/microcontroller.hpp"
 #include "hardware_bridge/shell/line.hpp"
@@ -39,21 +41,29 @@ class RobotShell {
   void on_body(const caravan_interfaces::msg::SensorFrame& frame);
   void answer(const caravan_interfaces::msg::SensorFrame& frame);
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
-  [[nodiscard]] std::optional<Wall> next_deadline() const;
+  [[nodiscard]] Wall next_deadline() const;
+  void tell_whether_a_body_is_there();
+  void tell_unknown_commands();
+  void let_in_a_host();
   void attend_robot(bool host_waits, bool ready);
   void attend_gps(bool client_waits, bool ready);
 
   const RobotConfig config_;
+  const std::uint32_t number_;
+  const std::uint32_t domain_;
   runtime::Loop& loop_;
   const Wall began_;
   Listener robot_port_;
   Listener gps_port_;
   Line host_;
   Line gps_client_;
+  bool told_turned_away_ = false;        // since a host was let in
+  std::set<std::uint8_t> told_unknown_;  // commands of this host
 
   mutable std::mutex mutex_;
   Microcontroller robot_;
   GpsReceiver gps_;
+  BodyWatch body_watch_;
   std::uint64_t session_ = 0;
   bool rebooted_ = false;  // since the main thread looked
   std::uint64_t refused_writes_ = 0;

@@ -26,7 +26,7 @@ std::int32_t in_ticks(double way_m, std::uint16_t ticks_per_mm) {
 
 void Microcontroller::tick(Time now) {
   if (!open_) return;
-  if (now - heard_ >= config_.watchdog) motion_.want_stop();
+  motion_.hold(now - heard_ >= config_.watchdog);
   if (now - sip_due_ > config_.watchdog)
     sip_due_ = sonar_due_ = now;  // it has slept: nothing is caught up with
   if (sonar_on_) {

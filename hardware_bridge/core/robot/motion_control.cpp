@@ -74,10 +74,10 @@ double MotionControl::wanted_turn_radps(const Place& place) const {
 MotionControl::Speeds MotionControl::at(Time now, const Place& place) {
   const double span_s = last_ ? std::clamp(seconds(now - *last_), 0.0, 0.2) : 0.0;
   last_ = now;
-  ahead_mps_ = approached(ahead_mps_, wanted_ahead_mps(place), limits_.acceleration_mps2,
+  ahead_mps_ = approached(ahead_mps_, held_ ? 0.0 : wanted_ahead_mps(place), limits_.acceleration_mps2,
                           limits_.deceleration_mps2, span_s);
-  turn_radps_ = approached(turn_radps_, wanted_turn_radps(place), limits_.turn_acceleration_radps2,
-                           limits_.turn_deceleration_radps2, span_s);
+  turn_radps_ = approached(turn_radps_, held_ ? 0.0 : wanted_turn_radps(place),
+                           limits_.turn_acceleration_radps2, limits_.turn_deceleration_radps2, span_s);
   const double apart = 0.5 * turn_radps_ * track_m_;
   return {clamped(ahead_mps_ - apart, limits_.wheel_mps), clamped(ahead_mps_ + apart, limits_.wheel_mps)};
 }

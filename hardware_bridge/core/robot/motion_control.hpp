@@ -44,6 +44,8 @@ class MotionControl {
   void want_stop();
   /// At zero at once, whatever the deceleration.
   void halt();
+  /// At zero, by the decelerations, until it is let go; the setpoints stay.
+  void hold(bool held) { held_ = held; }
   /// The odometry's yaw is another one now.
   void turn_origin(double by_rad);
 
@@ -73,6 +75,7 @@ class MotionControl {
   Setpoint ahead_ = 0.0;
   Setpoint turn_ = 0.0;
   bool by_wheels_ = false;  // both are of wheel speeds
+  bool held_ = false;
   double ahead_mps_ = 0.0;
   double turn_radps_ = 0.0;
   std::optional<Time> last_;

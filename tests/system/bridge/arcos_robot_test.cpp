@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <sstream>
 
 #include "hardware_bridge/core/arcos/command.hpp"
 #include "hardware_bridge/core/arcos/odometry.hpp"
+#include "hardware_bridge/core/arcos/settings.hpp"
 #include "hardware_bridge/core/arcos/sip.hpp"
 #include "hardware_bridge/core/nmea/sentence.hpp"
 #include "hardware_bridge/core/pose/arena_projection.hpp"
@@ -23,7 +25,16 @@ using bridge::arcos::Order;
 using bridge::arcos::Sip;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::SizeIs;
+
+/// Bytes as they are written down: "FA FB 03".
+Bytes from_hex(const std::string& text) {
+  Bytes bytes;
+  std::istringstream in{text};
+  for (unsigned byte = 0; in >> std::hex >> byte;) bytes.push_back(static_cast<std::uint8_t>(byte));
+  return bytes;
+}
 
 /// A host on TCP: says what it is told, collects what comes.
 class Host {
@@ -120,6 +131,66 @@ TEST_F(ArcosRobot, ShakesHandsAsAPioneerDoes) {
   EXPECT_TRUE(host.sip([](const Sip&) { return true; })) << robot_.process->output();
 }
 
+/// The packets that the commonest library for Pioneers sends, with its way of opening, configuring and
+/// closing.
+TEST_F(ArcosRobot, AProgramForRealPioneersConfiguresMovesTurnsAndCloses) {
+  Host host{robot_.port};
+  for (const char* sync : {"FA FB 03 00 00 00", "FA FB 03 01 00 01", "FA FB 03 02 00 02"}) {
+    host.say(from_hex(sync));
+    ASSERT_TRUE(host.next()) << sync;
+  }
+  host.say(from_hex("FA FB 06 01 3B 01 00 02 3B"));  // OPEN 1
+  host.say(from_hex("FA FB 06 12 3B 01 00 13 3B"));  // CONFIG 1
+  std::optional<bridge::arcos::Settings> settings;
+  std::optional<Sip> first;
+  EXPECT_TRUE(eventually(
+      [&] {
+        const auto data = host.next();
+        if (!data) return false;
+        if (!first) first = bridge::arcos::decode_sip(*data);
+        if (!settings) settings = bridge::arcos::decode_settings(*data);
+        return first && settings;
+      },
+      kPatience))
+      << robot_.process->output();
+  EXPECT_EQ(first->flags, 0x1e) << "sonars on, motors off";
+  EXPECT_EQ(settings->max_speed_mmps, 750);
+  EXPECT_EQ(settings->name, "caravan_1");
+  host.say(from_hex("FA FB 06 3E 3B 01 00 3F 3B"));  // BATTERYINFO 1
+  host.say(from_hex("FA FB 06 04 3B 01 00 05 3B"));  // ENABLE 1
+  host.say(from_hex("FA FB 06 06 3B 2C 01 32 3C"));  // SETV 300
+  host.say(from_hex("FA FB 06 0A 3B 3C 00 46 3B"));  // SETRV 60
+  const auto begin = truth_.of(1);
+  host.say(from_hex("FA FB 06 08 1B C8 00 D0 1B"));  // MOVE -200: the robot stands near a wall
+  ASSERT_TRUE(host.sip([](const Sip& sip) { return sip.left_mmps < -50; }));
+  ASSERT_TRUE(host.sip([](const Sip& sip) { return !sip.moving; }));
+  ASSERT_TRUE(truth_.rests(1));
+  const auto moved = truth_.of(1);
+  EXPECT_NEAR(std::hypot(moved->x_m() - begin->x_m(), moved->y_m() - begin->y_m()), 0.2, 0.03);
+  host.say(from_hex("FA FB 06 0D 3B 5A 00 67 3B"));  // DHEAD 90
+  ASSERT_TRUE(host.sip([](const Sip& sip) { return sip.right_mmps > 50; }));
+  ASSERT_TRUE(host.sip([](const Sip& sip) { return !sip.moving; }));
+  ASSERT_TRUE(truth_.rests(1));
+  const auto turned = truth_.of(1);
+  EXPECT_NEAR(bridge::wrapped(turned->yaw_rad() - moved->yaw_rad()), 1.571, 0.1);
+  host.say(from_hex("FA FB 06 04 3B 00 00 04 3B"));  // ENABLE 0
+  ASSERT_TRUE(host.sip([](const Sip& sip) { return (sip.flags & bridge::arcos::kMotorsOn) == 0; }));
+  host.say(from_hex("FA FB 06 02 3B 01 00 03 3B"));  // CLOSE 1
+  host.say(from_hex("FA FB 06 63 3B 01 00 64 3B"));  // 99: not while it is closed
+  EXPECT_THAT(robot_.process->output(), Not(HasSubstr("does not know")));
+}
+
+TEST_F(ArcosRobot, NamesACommandThatItDoesNotKnowOnce) {
+  Host host{robot_.port};
+  host.open();
+  host.say(from_hex("FA FB 06 63 3B 01 00 64 3B"));
+  host.say(from_hex("FA FB 06 63 3B 01 00 64 3B"));
+  ASSERT_TRUE(robot_.process->prints("command 99, which this robot does not know", kPatience));
+  ASSERT_TRUE(host.sip([](const Sip&) { return true; }));
+  const std::string output = robot_.process->output();
+  EXPECT_EQ(output.find("command 99"), output.rfind("command 99"));
+}
+
 TEST_F(ArcosRobot, DrivesThroughTheWorldAndReckonsAsItDoes) {
   Host host{robot_.port};
   host.open();
@@ -189,9 +260,10 @@ TEST_F(ArcosRobot, TakesOneHostAtATime) {
   EXPECT_TRUE(first.sip([](const Sip&) { return true; }));
 }
 
-TEST_F(ArcosRobot, ItsGpsSaysWhereItIsOnEarth) {
-  const auto receiver = Socket::to(robot_.gps_port);
-  ASSERT_TRUE(receiver);
+/// What the GPS receiver on a port tells first, in the arena of room().
+std::optional<bridge::Point> told_by_gps(std::uint16_t port) {
+  const auto receiver = Socket::to(port);
+  if (!receiver) return std::nullopt;
   const bridge::ArenaProjection projection{{48.137, 11.575, 0.3}};
   bridge::nmea::SentenceFinder sentences;
   std::optional<bridge::Point> told;
@@ -206,9 +278,39 @@ TEST_F(ArcosRobot, ItsGpsSaysWhereItIsOnEarth) {
         return told.has_value();
       },
       kPatience);
+  return told;
+}
+
+TEST_F(ArcosRobot, ItsGpsSaysWhereItIsOnEarth) {
+  const auto told = told_by_gps(robot_.gps_port);
   ASSERT_TRUE(told);
   EXPECT_NEAR(told->x_m, truth_.of(1)->x_m(), 0.01);
   EXPECT_NEAR(told->y_m, truth_.of(1)->y_m(), 0.01);
+}
+
+TEST_F(Field, TheGpsReceiverStandsWhereTheAntennaIsMounted) {
+  const auto world = start_world(room(1, 0) + "antenna_m = [-1.0, 0.5]\n", "1");
+  const Robot robot = start_robot(1);
+  const Truth truth{bus()};
+  ASSERT_TRUE(truth.is_there()) << world->output();
+  const auto told = told_by_gps(robot.gps_port);
+  ASSERT_TRUE(told) << robot.process->output();
+  const auto base = truth.of(1);
+  const double yaw = base->yaw_rad();
+  EXPECT_NEAR(told->x_m, base->x_m() - std::cos(yaw) - 0.5 * std::sin(yaw), 0.02);
+  EXPECT_NEAR(told->y_m, base->y_m() - std::sin(yaw) + 0.5 * std::cos(yaw), 0.02);
+}
+
+TEST_F(Field, ARobotWithoutABodySaysWhatIsMissing) {
+  const auto world = start_world(room(1, 0), "");
+  const Robot robot = start_robot(1);
+  EXPECT_TRUE(robot.process->prints("nobody serves rt/body_1/sensors in DDS domain " +
+                                        std::to_string(lock_.domain()) +
+                                        ", hosts are turned away: start world_server there with --bodies 1",
+                                    kPatience))
+      << robot.process->output();
+  Host host{robot.port};
+  EXPECT_TRUE(robot.process->prints("a host was turned away: the robot has no body yet", kPatience));
 }
 
 TEST_F(ArcosRobot, AnotherSessionOfTheWorldIsARobotSwitchedOffAndOn) {

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 TEST(AgentConfig, EveryShippedScenarioIsReadForItsFirstRobot) {
-  for (const char* name : {"paper", "paper_code", "small", "scaling"}) {
+  for (const char* name : {"paper", "paper_code", "small", "scaling", "one_robot"}) {
     SCOPED_TRACE(name);
     const auto file = std::string{CARAVAN_SOURCE_DIR "/deploy/scenarios/"} + name + ".toml";
     EXPECT_NO_THROW((void)load_config(TomlDocument::load(file), 1));

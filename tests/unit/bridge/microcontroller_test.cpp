@@ -99,7 +99,7 @@ TEST_F(Robot, SpeedsChangeByTheAccelerationThatWasSet) {
   EXPECT_EQ(drive_.left_mps, 0.0) << "at once";
 }
 
-TEST_F(Robot, TheWatchdogStopsTheWheelsAfterTwoSecondsAndAMotionCommandMovesThemAgain) {
+TEST_F(Robot, TheWatchdogStopsTheWheelsAfterTwoSecondsAndTheNextPacketLetsThemGoOn) {
   open();
   say(encode(Order::kSetAcceleration, -2000));
   say(encode(Order::kWheelSpeeds, arcos::wheel_speeds_argument(0.4, 0.4)));
@@ -107,12 +107,22 @@ TEST_F(Robot, TheWatchdogStopsTheWheelsAfterTwoSecondsAndAMotionCommandMovesThem
   EXPECT_GT(drive_.left_mps, 0.3);
   run(300ms);
   EXPECT_EQ(drive_.left_mps, 0.0);
+  run(5s);
+  EXPECT_EQ(drive_.left_mps, 0.0);
   say(encode(Order::kPulse));
   run(500ms);
-  EXPECT_EQ(drive_.left_mps, 0.0);
-  say(encode(Order::kWheelSpeeds, arcos::wheel_speeds_argument(0.4, 0.4)));
-  run(500ms);
   EXPECT_GT(drive_.left_mps, 0.1);
+}
+
+TEST_F(Robot, AHostThatComesBackAfterTheWatchdogAndSaysStopFirstStandsStill) {
+  open();
+  say(encode(Order::kWheelSpeeds, arcos::wheel_speeds_argument(0.4, 0.4)));
+  run(4s);
+  ASSERT_EQ(drive_.left_mps, 0.0);
+  say(encode(Order::kStop));
+  say(encode(Order::kPulse));
+  run(1s);
+  EXPECT_EQ(drive_.left_mps, 0.0);
 }
 
 TEST_F(Robot, APulseIsEnoughForTheWatchdog) {

@@ -174,7 +174,7 @@ TEST_P(ShippedScenario, Loads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Deploy, ShippedScenario,
-                         ::testing::Values("paper", "paper_code", "small", "scaling"));
+                         ::testing::Values("paper", "paper_code", "small", "scaling", "one_robot"));
 
 }  // namespace
 }  // namespace caravan::world
