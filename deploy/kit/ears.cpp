@@ -10,8 +10,8 @@
 #include "deploy/launcher/run_end.hpp"
 #include "idl/robot_types.hpp"
 #include "idl/stamp.hpp"
-#include "robot_agent/core/frames/codec.hpp"
-#include "robot_agent/core/frames/text.hpp"
+#include "robot_agent/core/radio/frames/codec.hpp"
+#include "robot_agent/core/radio/frames/text.hpp"
 #include "runtime/pure/overload.hpp"
 
 namespace caravan::deploy {

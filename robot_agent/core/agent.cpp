@@ -6,7 +6,7 @@
 #include <cmath>
 #include <variant>
 
-#include "robot_agent/core/communication.hpp"
+#include "robot_agent/core/radio/communication.hpp"
 #include "robot_agent/core/sensing/surfaces.hpp"
 #include "robot_agent/core/task/carrier.hpp"
 #include "robot_agent/core/task/explorer.hpp"

@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "idl/stamp.hpp"
-#include "robot_agent/core/frames/codec.hpp"
-#include "robot_agent/core/frames/text.hpp"
+#include "robot_agent/core/radio/frames/codec.hpp"
+#include "robot_agent/core/radio/frames/text.hpp"
 #include "robot_agent/shell/wire.hpp"
 #include "runtime/pure/overload.hpp"
 

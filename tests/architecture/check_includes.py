@@ -49,7 +49,7 @@ ALLOWED = {
                      "deploy/launcher/children.hpp"],
     "deploy/report": [STD, POSIX, "runtime/config", "runtime/process"],
     "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, JSON, GTEST, "deploy/control", "deploy/launcher",
-                   "deploy/metrics", "robot_agent/core/frames"],
+                   "deploy/metrics", "robot_agent/core/radio/frames"],
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
     "deploy/doctor": [STD, POSIX, "runtime", "deploy/launcher/shared_memory.hpp"],
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/bus/transport.hpp", "deploy",

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "robot_agent/core/frames/codec.hpp"
-#include "robot_agent/core/frames/text.hpp"
+#include "robot_agent/core/radio/frames/codec.hpp"
+#include "robot_agent/core/radio/frames/text.hpp"
 #include "runtime/pure/assert.hpp"
 #include "runtime/pure/overload.hpp"
 #include "tests/fuzz/targets.hpp"

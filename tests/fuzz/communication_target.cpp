@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "robot_agent/core/communication.hpp"
+#include "robot_agent/core/radio/communication.hpp"
 #include "runtime/pure/assert.hpp"
 #include "tests/fuzz/targets.hpp"
 

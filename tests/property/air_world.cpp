@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "robot_agent/core/frames/codec.hpp"
-#include "robot_agent/core/frames/text.hpp"
-#include "robot_agent/core/pairing/eligibility.hpp"
+#include "robot_agent/core/radio/frames/codec.hpp"
+#include "robot_agent/core/radio/frames/text.hpp"
+#include "robot_agent/core/radio/pairing/eligibility.hpp"
 #include "runtime/pure/overload.hpp"
 
 namespace caravan::agent::testing {

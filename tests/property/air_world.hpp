@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "robot_agent/core/communication.hpp"
-#include "robot_agent/core/frames/messages.hpp"
+#include "robot_agent/core/radio/communication.hpp"
+#include "robot_agent/core/radio/frames/messages.hpp"
 #include "runtime/pure/random.hpp"
 
 namespace caravan::agent::testing {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "hardware_bridge/core/modem/half_duplex.hpp"
-#include "robot_agent/core/communication.hpp"
+#include "robot_agent/core/radio/communication.hpp"
 #include "runtime/pure/random.hpp"
 
 namespace caravan {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "robot_agent/core/config.hpp"
-#include "robot_agent/core/frames/messages.hpp"
+#include "robot_agent/core/radio/frames/messages.hpp"
 
 namespace caravan::agent {
 

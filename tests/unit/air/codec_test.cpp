@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/frames/codec.hpp"
+#include "robot_agent/core/radio/frames/codec.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/communication.hpp"
+#include "robot_agent/core/radio/communication.hpp"
 
 #include <gmock/gmock.h>
 
 #include <functional>
 #include <map>
 
-#include "robot_agent/core/frames/codec.hpp"
-#include "robot_agent/core/frames/text.hpp"
+#include "robot_agent/core/radio/frames/codec.hpp"
+#include "robot_agent/core/radio/frames/text.hpp"
 #include "runtime/pure/overload.hpp"
 
 namespace caravan::agent {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/pairing/eligibility.hpp"
+#include "robot_agent/core/radio/pairing/eligibility.hpp"
 
 #include <gtest/gtest.h>
 

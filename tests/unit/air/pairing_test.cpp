@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/pairing/pairing.hpp"
+#include "robot_agent/core/radio/pairing/pairing.hpp"
 
 #include <gtest/gtest.h>
 
-#include "robot_agent/core/pairing/timers.hpp"
+#include "robot_agent/core/radio/pairing/timers.hpp"
 
 namespace caravan::agent {
 namespace {

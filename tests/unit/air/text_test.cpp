@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/frames/text.hpp"
+#include "robot_agent/core/radio/frames/text.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/exchange/transfer.hpp"
+#include "robot_agent/core/radio/exchange/transfer.hpp"
 
 #include <gmock/gmock.h>
 

@@ -6,8 +6,8 @@
 #include <span>
 
 #include "robot_agent/core/config.hpp"
-#include "robot_agent/core/frames/messages.hpp"
 #include "robot_agent/core/path/path.hpp"
+#include "robot_agent/core/radio/frames/messages.hpp"
 
 namespace caravan::agent {
 

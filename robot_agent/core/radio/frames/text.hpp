@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "robot_agent/core/frames/messages.hpp"
+#include "robot_agent/core/radio/frames/messages.hpp"
 
 namespace caravan::agent {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "robot_agent/core/frames/messages.hpp"
 #include "robot_agent/core/path/path.hpp"
+#include "robot_agent/core/radio/frames/messages.hpp"
 
 namespace caravan::agent {
 

@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "robot_agent/core/config.hpp"
-#include "robot_agent/core/frames/messages.hpp"
+#include "robot_agent/core/radio/frames/messages.hpp"
 
 /// Algorithm 6: how two robots agree to exchange paths, and when they stop trying. docs/protocol.md, section
 /// "Pairing", is normative.

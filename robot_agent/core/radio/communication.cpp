@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/communication.hpp"
+#include "robot_agent/core/radio/communication.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 
 #include "robot_agent/core/angle.hpp"
-#include "robot_agent/core/exchange/transfer.hpp"
-#include "robot_agent/core/frames/codec.hpp"
-#include "robot_agent/core/pairing/eligibility.hpp"
-#include "robot_agent/core/pairing/pairing.hpp"
-#include "robot_agent/core/pairing/timers.hpp"
+#include "robot_agent/core/radio/exchange/transfer.hpp"
+#include "robot_agent/core/radio/frames/codec.hpp"
+#include "robot_agent/core/radio/pairing/eligibility.hpp"
+#include "robot_agent/core/radio/pairing/pairing.hpp"
+#include "robot_agent/core/radio/pairing/timers.hpp"
 #include "robot_agent/core/sensing/neighbours.hpp"
 #include "runtime/pure/assert.hpp"
 #include "runtime/pure/overload.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/frames/codec.hpp"
+#include "robot_agent/core/radio/frames/codec.hpp"
 
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
 
-#include "robot_agent/core/frames/layout.hpp"
+#include "robot_agent/core/radio/frames/layout.hpp"
 #include "runtime/pure/assert.hpp"
 #include "runtime/pure/overload.hpp"
 

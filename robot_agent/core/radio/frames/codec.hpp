@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "robot_agent/core/frames/messages.hpp"
+#include "robot_agent/core/radio/frames/messages.hpp"
 
 namespace caravan::agent {
 

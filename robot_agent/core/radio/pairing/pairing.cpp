@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/pairing/pairing.hpp"
+#include "robot_agent/core/radio/pairing/pairing.hpp"
 
-#include "robot_agent/core/pairing/timers.hpp"
+#include "robot_agent/core/radio/pairing/timers.hpp"
 #include "runtime/pure/overload.hpp"
 
 namespace caravan::agent {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/pairing/eligibility.hpp"
+#include "robot_agent/core/radio/pairing/eligibility.hpp"
 
 #include <algorithm>
 
-#include "robot_agent/core/pairing/timers.hpp"
+#include "robot_agent/core/radio/pairing/timers.hpp"
 #include "runtime/pure/assert.hpp"
 
 namespace caravan::agent {
