@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "robot_agent/core/path/merge.hpp"
 #include "robot_agent/core/radio/communication.hpp"
 #include "robot_agent/core/sensing/surfaces.hpp"
 #include "robot_agent/core/task/carrier.hpp"
@@ -18,7 +19,6 @@ using namespace std::chrono_literals;
 
 constexpr std::uint64_t kDrivingStream = 0x6472697665ULL;
 constexpr Time kRemembersRobot = 200ms;
-constexpr double kBetterBy_m = 0.01;
 
 bool knows_where_it_is(const Sensors& sensors) {
   return std::isfinite(sensors.p_WB.x()) && std::isfinite(sensors.p_WB.y()) &&
@@ -30,11 +30,10 @@ bool knows_where_it_is(const Sensors& sensors) {
 /// Algorithm 1. WAIT, the receiver queue and the exchange (lines 2 and 14 to 18) are Communication's; lines 3
 /// to 10 are Explorer's, 12 and 13 Carrier's.
 struct Agent::Impl {
-  Impl(const Config& its_config, const Rules& its_rules)
+  explicit Impl(const Config& its_config)
       : config{its_config},
-        rules{its_rules},
         communication{config},
-        driver{config, rules.when_meeting},
+        driver{config},
         neighbours{config},
         random{config.seed, pure::mix_all(kDrivingStream, config.id.value)},
         task{Explorer{config}} {}
@@ -43,12 +42,11 @@ struct Agent::Impl {
   [[nodiscard]] const Path& own_path() const;
   [[nodiscard]] std::optional<Perception> perceive(const Inputs& inputs, bool robot_heard);
   [[nodiscard]] Motion decide(const Perception& seen, Notes& notes);
-  void take(Path received, const Point& p_WB, Notes& notes);
+  void take(const Path& received, const Point& p_WB, Notes& notes);
   void begin_carrying(Path path, Origin from, const Point& p_WB, Notes& notes);
   void report(const Motion& motion, AirOutputs& air, Notes& notes, Outputs& outputs);
 
   Config config;
-  Rules rules;
   Communication communication;
   Driver driver;
   Neighbours neighbours;
@@ -94,7 +92,7 @@ Outputs Agent::Impl::step(const Inputs& inputs) {
   for (const Wait& wait : air.robots) neighbours.hear(wait, last_step);
   last_step = inputs.now;
   const std::optional<Perception> seen = perceive(inputs, air.robot_near);
-  if (air.received && last_p_WB) take(std::move(*air.received), *last_p_WB, notes);
+  if (air.received && last_p_WB) take(*air.received, *last_p_WB, notes);
   if (auto* carrier = std::get_if<Carrier>(&task); carrier != nullptr && seen) carrier->sense(*seen, notes);
 
   Motion motion;
@@ -130,20 +128,18 @@ Motion Agent::Impl::decide(const Perception& seen, Notes& notes) {
   return motion;
 }
 
-/// Algorithm 7 from the receiver's side: lines 9 to 12 without a path of its own, lines 1 to 6 with one.
-void Agent::Impl::take(Path received, const Point& p_WB, Notes& notes) {
-  if (received.size() < 2 || config.sharing == Sharing::kNone) return;
+void Agent::Impl::take(const Path& received, const Point& p_WB, Notes& notes) {
   auto* carrier = std::get_if<Carrier>(&task);
+  if (!wants_path(config.sharing, carrier == nullptr ? Mode::kExplore : Mode::kTransport)) return;
+  std::optional<Path> path = path_after_exchange(own_path(), received);
+  if (!path) return;
   if (carrier == nullptr) {
-    begin_carrying(std::move(received), Origin::kReceived, p_WB, notes);
+    begin_carrying(std::move(*path), Origin::kReceived, p_WB, notes);
     return;
   }
-  if (config.sharing != Sharing::kFull) return;
   const double before = length_m(carrier->path());
-  Path chosen = rules.choose_path(carrier->path(), received);
-  const double after = length_m(chosen);
-  if (chosen.size() < 2 || after > before - kBetterBy_m) return;
-  carrier->adopt(std::move(chosen), p_WB);
+  const double after = length_m(*path);
+  carrier->adopt(std::move(*path), p_WB);
   notes.path_changed = true;
   notes.add("merged_path", in_detail("from_m", before) + " " + in_detail("to_m", after));
 }
@@ -178,7 +174,7 @@ void Agent::Impl::report(const Motion& motion, AirOutputs& air, Notes& notes, Ou
   now.events = std::move(notes.events);
 }
 
-Agent::Agent(const Config& config, const Rules& rules) : impl_{std::make_unique<Impl>(config, rules)} {}
+Agent::Agent(const Config& config) : impl_{std::make_unique<Impl>(config)} {}
 Agent::~Agent() = default;
 Agent::Agent(Agent&&) noexcept = default;
 Agent& Agent::operator=(Agent&&) noexcept = default;

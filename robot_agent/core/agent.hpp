@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "robot_agent/core/config.hpp"
-#include "robot_agent/core/rules.hpp"
 #include "robot_agent/core/types.hpp"
 
 namespace caravan::agent {
@@ -13,7 +12,7 @@ namespace caravan::agent {
 /// outputs.
 class Agent {
  public:
-  explicit Agent(const Config& config, const Rules& rules = {});
+  explicit Agent(const Config& config);
   ~Agent();
   Agent(Agent&&) noexcept;
   Agent& operator=(Agent&&) noexcept;

@@ -3,12 +3,9 @@
 
 #include <chrono>
 
-#include "robot_agent/core/types.hpp"
+#include "robot_agent/core/sharing_policy.hpp"
 
 namespace caravan::agent {
-
-/// The paper's three communication modes (section 4).
-enum class Sharing : std::uint8_t { kNone, kPartial, kFull };
 
 /// Everything one agent is told before it starts. Defaults are the paper's text values where it gives one.
 struct Config {

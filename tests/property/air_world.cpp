@@ -5,7 +5,7 @@
 
 #include "robot_agent/core/radio/frames/codec.hpp"
 #include "robot_agent/core/radio/frames/text.hpp"
-#include "robot_agent/core/radio/pairing/eligibility.hpp"
+#include "robot_agent/core/radio/pairing/can_communicate.hpp"
 #include "runtime/pure/overload.hpp"
 
 namespace caravan::agent::testing {

@@ -34,7 +34,7 @@ class Floor {
   explicit Floor(std::uint64_t seed) : random_{seed} {}
 
   void add(const Point& at, double yaw_rad, const Point& goal) {
-    robots_.push_back({Driver{config_, turn_slightly_left}, Neighbours{config_}, {at, yaw_rad}, {}, goal});
+    robots_.push_back({Driver{config_}, Neighbours{config_}, {at, yaw_rad}, {}, goal});
   }
   void step() {
     const std::vector<Robot> before = robots_;

@@ -16,9 +16,6 @@ struct Encounter {
   std::optional<Meeting> meeting{};  ///< when the other has told where it is
 };
 
-/// Decides how to give way. Replaceable: traffic management comes later.
-using AvoidanceRule = Manoeuvre (*)(const Encounter&);
-
 /// The paper's rule for another robot (section 3.2): both turn slightly left, go forward a little, resume.
 /// With no room on the left the robot stands a little and lets the other pass, which has it on its left;
 /// every third time in the same place it goes round.

@@ -35,8 +35,7 @@ Perception without_surfaces(Perception seen) {
 
 }  // namespace
 
-Driver::Driver(const Config& config, AvoidanceRule when_meeting)
-    : config_{config}, when_meeting_{when_meeting} {}
+Driver::Driver(const Config& config) : config_{config} {}
 
 Motion Driver::stand(Activity activity, Time now) {
   monitor_.reset();
@@ -104,7 +103,7 @@ void Driver::meet(const std::optional<Meeting>& meeting, const Point& goal_W, co
                   pure::Random& random) {
   const Encounter encounter{seen,          config_,           seen.bearing_to(goal_W),
                             random.unit(), attempts_at(seen), meeting};
-  state_ = Manoeuvring{Performance{when_meeting_(encounter)}};
+  state_ = Manoeuvring{Performance{turn_slightly_left(encounter)}};
 }
 
 void Driver::free(const Point& goal_W, const Perception& seen, int attempt, pure::Random& random) {

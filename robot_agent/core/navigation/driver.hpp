@@ -38,7 +38,7 @@ struct Motion {
 /// reason; Manoeuvring (free) and kObstacle, when a surface is.
 class Driver {
  public:
-  Driver(const Config& config, AvoidanceRule when_meeting);
+  explicit Driver(const Config& config);
 
   [[nodiscard]] Motion drive_to(const Point& goal_W, const Perception& seen, pure::Random& random);
   /// Goes round the obstacle between the robot and the goal; to be called after kObstacle.
@@ -70,7 +70,6 @@ class Driver {
   [[nodiscard]] int attempts_at(const Perception& seen);
 
   Config config_;
-  AvoidanceRule when_meeting_;
   std::variant<Steering, Manoeuvring> state_;
   StuckMonitor monitor_;
   Watch watch_;

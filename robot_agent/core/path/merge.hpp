@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "robot_agent/core/path/path.hpp"
 
 namespace caravan::agent {
@@ -21,5 +23,14 @@ namespace caravan::agent {
 /// @pre vertices finite, at least two in each path; first vertices within 0.05 m of one another, last ones
 ///      too; otherwise the shorter path is returned whole (of a path and none: the path)
 [[nodiscard]] Path merge(const Path& own, const Path& other);
+
+/// Algorithm 7 whole, from the receiver's side: the path to use from now, once one was received.
+///
+/// Without a path of its own a robot takes the received one (lines 9 to 12). With one it takes what the two
+/// merge to (lines 1 to 6), when that saves at least 0.01 m.
+///
+/// @param own  empty: none
+/// @return none: the robot goes on with what it has
+[[nodiscard]] std::optional<Path> path_after_exchange(const Path& own, const Path& received);
 
 }  // namespace caravan::agent

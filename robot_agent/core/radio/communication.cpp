@@ -8,7 +8,7 @@
 #include "robot_agent/core/angle.hpp"
 #include "robot_agent/core/radio/exchange/transfer.hpp"
 #include "robot_agent/core/radio/frames/codec.hpp"
-#include "robot_agent/core/radio/pairing/eligibility.hpp"
+#include "robot_agent/core/radio/pairing/can_communicate.hpp"
 #include "robot_agent/core/radio/pairing/pairing.hpp"
 #include "robot_agent/core/radio/pairing/timers.hpp"
 #include "robot_agent/core/sensing/neighbours.hpp"
@@ -146,9 +146,7 @@ Send Communication::Impl::apply(const PairingEvent& event, const AirInputs& inpu
   state = decision.next;
   const bool is_open = std::holds_alternative<InSession>(state);
   if (is_open && !transfer) {
-    // Partial mode: a robot that has a path gives and takes nothing.
-    const bool wants = config.sharing == Sharing::kFull || mode(inputs) == Mode::kExplore;
-    transfer.emplace(inputs.own_path, wants, points_per_frame());
+    transfer.emplace(inputs.own_path, wants_path(config.sharing, mode(inputs)), points_per_frame());
   } else if (!is_open) {
     transfer.reset();
   }

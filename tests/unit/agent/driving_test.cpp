@@ -50,7 +50,7 @@ TEST(Steering, IsSlowNearAnObstacle) {
 
 TEST(Driver, AnEchoAheadWithAWaitIsARobotAndBothTurnSlightlyLeft) {
   const Config config;
-  Driver driver{config, turn_slightly_left};
+  Driver driver{config};
   pure::Random random{1};
   Perception seen = look(kAhead, {0, 0}, 0.0, config);
   seen.robot_near = true;
@@ -62,7 +62,7 @@ TEST(Driver, AnEchoAheadWithAWaitIsARobotAndBothTurnSlightlyLeft) {
 
 TEST(Driver, TheSameEchoWithoutAWaitIsAnObstacleAtTheShorterDistance) {
   const Config config;
-  Driver driver{config, turn_slightly_left};
+  Driver driver{config};
   pure::Random random{1};
   EXPECT_EQ(driver.drive_to({5, 0}, look(kAhead, {0, 0}, 0.0, config), random).obstruction,
             Obstruction::kNone);
@@ -82,7 +82,7 @@ TEST(Driver, TheRuleForMeetingsIsReplaceable) {
 }
 
 TEST(Driver, ARobotThatDrivesAndDoesNotMoveBacksOff) {
-  Driver driver{{}, turn_slightly_left};
+  Driver driver{Config{}};
   pure::Random random{1};
   bool touched = false;
   bool backwards = false;
@@ -187,7 +187,7 @@ TEST(Arrival, WithinOneMetreAndInACrowdWithinTheServiceRadius) {
 }
 
 TEST(Driver, ThatCannotBackOffTurns) {
-  Driver driver{{}, turn_slightly_left};
+  Driver driver{Config{}};
   pure::Random random{1};
   bool backed = false;
   bool turned = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/radio/pairing/eligibility.hpp"
+#include "robot_agent/core/radio/pairing/can_communicate.hpp"
 
 #include <algorithm>
 
@@ -38,10 +38,7 @@ bool Contacts::may_reject(RobotId robot, Time now) {
 
 bool can_communicate(const Config& config, const Contacts& contacts, Mode own, RobotId partner, Mode partners,
                      Time now) {
-  if (config.sharing == Sharing::kNone || now < config.sharing_starts) return false;
-  if (own == Mode::kExplore && partners == Mode::kExplore) return false;
-  const bool both_have_a_path = own == Mode::kTransport && partners == Mode::kTransport;
-  if (config.sharing == Sharing::kPartial && both_have_a_path) return false;
+  if (now < config.sharing_starts || !may_pair(config.sharing, own, partners)) return false;
   const Contact* contact = contacts.find(partner);
   return contact == nullptr || now >= contact->again_from;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/radio/pairing/eligibility.hpp"
+#include "robot_agent/core/radio/pairing/can_communicate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 constexpr RobotId kPartner{7};
 
-struct Eligibility : testing::Test {
+struct CanCommunicate : testing::Test {
   Config config;
   Contacts contacts;
   Time now = 20min;
@@ -20,14 +20,14 @@ struct Eligibility : testing::Test {
   }
 };
 
-TEST_F(Eligibility, InFullModeOneOfTheTwoMustHaveAPath) {  // P-20
+TEST_F(CanCommunicate, InFullModeOneOfTheTwoMustHaveAPath) {  // P-20
   EXPECT_FALSE(may(Mode::kExplore, Mode::kExplore));
   EXPECT_TRUE(may(Mode::kExplore, Mode::kTransport));
   EXPECT_TRUE(may(Mode::kTransport, Mode::kExplore));
   EXPECT_TRUE(may(Mode::kTransport, Mode::kTransport));
 }
 
-TEST_F(Eligibility, InPartialModeExactlyOneOfTheTwoMustHaveAPath) {  // P-20
+TEST_F(CanCommunicate, InPartialModeExactlyOneOfTheTwoMustHaveAPath) {  // P-20
   config.sharing = Sharing::kPartial;
   EXPECT_FALSE(may(Mode::kExplore, Mode::kExplore));
   EXPECT_TRUE(may(Mode::kExplore, Mode::kTransport));
@@ -35,20 +35,20 @@ TEST_F(Eligibility, InPartialModeExactlyOneOfTheTwoMustHaveAPath) {  // P-20
   EXPECT_FALSE(may(Mode::kTransport, Mode::kTransport));
 }
 
-TEST_F(Eligibility, InModeNoneNobodyPairs) {  // P-20
+TEST_F(CanCommunicate, InModeNoneNobodyPairs) {  // P-20
   config.sharing = Sharing::kNone;
   EXPECT_FALSE(may(Mode::kExplore, Mode::kTransport));
   EXPECT_FALSE(may(Mode::kTransport, Mode::kTransport));
 }
 
-TEST_F(Eligibility, NobodyPairsBeforeSharingStarts) {  // P-21
+TEST_F(CanCommunicate, NobodyPairsBeforeSharingStarts) {  // P-21
   now = config.sharing_starts - 1ns;
   EXPECT_FALSE(may(Mode::kExplore, Mode::kTransport));
   now = config.sharing_starts;
   EXPECT_TRUE(may(Mode::kExplore, Mode::kTransport));
 }
 
-TEST_F(Eligibility, ARobotToBeAvoidedIsEligibleAgainAtTheMomentSet) {  // P-22
+TEST_F(CanCommunicate, ARobotToBeAvoidedIsEligibleAgainAtTheMomentSet) {  // P-22
   contacts.avoid_until(kPartner, now + 10min);
   contacts.avoid_until(kPartner, now + 1s);  // never shortens
   EXPECT_FALSE(may(Mode::kTransport, Mode::kTransport));
