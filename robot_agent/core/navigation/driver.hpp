@@ -28,11 +28,10 @@ struct Motion {
 
 /// Brings the robot to a goal past what is in the way.
 ///
-///   state       | way free | robot ahead        | obstacle ahead        | does not move        | manoeuvre
-///   over
-///   ------------+----------+--------------------+-----------------------+----------------------+---------------
-///   Steering    | steer    | Manoeuvring (rule) | stand, tell kObstacle | Manoeuvring (free)   | -
-///   Manoeuvring | continue | continue           | continue              | Manoeuvring (free)   | Steering
+///   state       | way free | robot ahead        | obstacle ahead        | does not move      | manoeuvre over
+///   ------------+----------+--------------------+-----------------------+--------------------+---------------
+///   Steering    | steer    | Manoeuvring (rule) | stand, tell kObstacle | Manoeuvring (free) | -
+///   Manoeuvring | continue | continue           | continue              | Manoeuvring (free) | Steering
 ///
 /// Below it lies keep_clear(). Steering and kept by it for long is: a robot ahead, when robots are the
 /// reason; Manoeuvring (free) and kObstacle, when a surface is.

@@ -10,12 +10,12 @@ namespace caravan::agent {
 /// The gripper's part in a trip: closes at the source, opens at the destination, and believes only what
 /// `holding` says.
 ///
-///   state    | at the source | at the destination | holding            | not holding
-///   ---------+---------------+--------------------+--------------------+----------------------------
-///   Empty    | Closing       | -                  | Carrying           | -
-///   Closing  | -             | Empty              | Carrying, kPicked  | Empty, kNothing past deadline
-///   Carrying | -             | Opening            | -                  | Empty
-///   Opening  | -             | -                  | Carrying past deadline | Empty, kDelivered
+///   state    | at the source | at the destination | holding                              | not holding
+///   ---------+---------------+--------------------+--------------------------------------+-----------------------------------
+///   Empty    | Closing       | -                  | Carrying                             | -
+///   Closing  | -             | Empty              | Carrying, kPickedUp                  | past deadline: Empty, kNothingThere
+///   Carrying | -             | Opening            | -                                    | Empty
+///   Opening  | -             | -                  | past deadline: Carrying, kNotDelivered | Empty, kDelivered
 class Gripper {
  public:
   enum class Change : std::uint8_t { kNone, kPickedUp, kNothingThere, kDelivered, kNotDelivered };

@@ -110,23 +110,18 @@ struct Decision {
 
 /// The state machine.
 ///
-///   state     | WAIT, free and | WAIT that waits | WAIT of my     | ACCEPT for me   | ACCEPTACK | REJECT |
-///   PATH or END
-///             | eligible       | for me          | partner        |                 | of mine   | of mine|
-///             of mine
-///   ----------+----------------+-----------------+----------------+-----------------+-----------+--------+------------
-///   Free      | Accepting or   | the same, or    | (has none)     | InSession, or   | -         | -      | -
-///             | Awaiting       | REJECT          |                | REJECT          |           |        |
-///   Accepting | -              | REJECT, unless  | Free when it   | REJECT          | InSession | Free   | -
-///             |                | of my partner   | is busy        |                 |           |        |
-///   Awaiting  | -              | REJECT, unless  | Free when it   | InSession if of | -         | Free   | -
-///             |                | of my partner   | is busy        | partner; REJECT |           |        |
-///   InSession | -              | -               | -              | -               | -         | Free   |
-///   Lingering
-///             |                |                 |                |                 |           |        |
-///             when crossed
-///   Lingering | -              | -               | -              | -               | -         | -      |
-///   END: Free
+///   state     | WAIT, free and | WAIT that waits | WAIT of my     | ACCEPT for me   | ACCEPTACK | REJECT  | PATH or END
+///             | eligible       | for me          | partner        |                 | of mine   | of mine | of mine
+///   ----------+----------------+-----------------+----------------+-----------------+-----------+---------+--------------
+///   Free      | Accepting or   | the same, or    | (has none)     | InSession, or   | -         | -       | -
+///             | Awaiting       | REJECT          |                | REJECT          |           |         |
+///   Accepting | -              | REJECT, unless  | Free when it   | REJECT          | InSession | Free    | -
+///             |                | of my partner   | is busy        |                 |           |         |
+///   Awaiting  | -              | REJECT, unless  | Free when it   | InSession if of | -         | Free    | -
+///             |                | of my partner   | is busy        | partner; REJECT |           |         |
+///   InSession | -              | -               | -              | -               | -         | Free    | Lingering
+///             |                |                 |                |                 |           |         | when crossed
+///   Lingering | -              | -               | -              | -               | -         | -       | END: Free
 ///
 ///   At the end of a step Accepting sends ACCEPT when one is due; InSession sends ACCEPTACK until confirmed,
 ///   then PATH; Lingering sends END. Deadlines that lead to Free: accept_attempts * accept_period (Accepting,
