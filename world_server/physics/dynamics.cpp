@@ -73,7 +73,7 @@ struct Dynamics::Impl {
   }
 
   /// With nothing to touch but the floor, one physics step is enough: it keeps the wheels on their axle and
-  /// the robot on its bow.
+  /// the robot on its arc.
   void step_loner(std::uint32_t robot) {
     bool free = is_upright(robots[robot]);
     statics.near(base_of(robot), hull_radius + margin, [&](dGeomID) { free = false; });
@@ -86,7 +86,7 @@ struct Dynamics::Impl {
 
   void step_free(std::uint32_t robot) {
     RobotState& state = robots[robot];
-    const std::array<double, 3> from = state.place;
+    const std::array<double, 3> from = state.position;
     alone.enter(0, state);
     alone.stand(0, state);
     alone.step(step_s);

@@ -10,11 +10,11 @@ namespace caravan::world {
 /// Everything that decides how a robot moves in the next physics step, besides what it touches. Frame W, SI
 /// units. The wheels are where the axle holds them.
 struct RobotState {
-  std::array<double, 3> place{};  ///< of the chassis' centre of mass
-  std::array<double, 4> turn{};   ///< of the chassis; unit quaternion, w first
-  std::array<double, 3> speed{};  ///< of the chassis' centre of mass
-  std::array<double, 3> spin{};   ///< of the chassis
-  double left_rate = 0.0;         ///< of the wheels against the chassis, rad/s
+  std::array<double, 3> position{};          ///< of the chassis' centre of mass
+  std::array<double, 4> orientation{};       ///< of the chassis; unit quaternion, w first
+  std::array<double, 3> linear_velocity{};   ///< of the chassis' centre of mass
+  std::array<double, 3> angular_velocity{};  ///< of the chassis
+  double left_rate = 0.0;                    ///< of the wheels against the chassis, rad/s
   double right_rate = 0.0;
   double left_target = 0.0;  ///< what the motors hold it to
   double right_target = 0.0;
@@ -38,8 +38,8 @@ void stand(RobotState& state, const BodyPlan& plan, const Pose& pose);
 /// Does the edge of its hull keep off the floor?
 [[nodiscard]] inline bool is_upright(const RobotState& state) { return uprightness_of(state) >= 0.995; }
 
-/// Bends the straight way from `from` to the state's place into the bow of a robot that turned evenly
-/// meanwhile.
+/// Bends the straight line from `from` to the state's position into the arc of a robot that turned at a
+/// constant rate meanwhile.
 void bend(RobotState& state, const std::array<double, 3>& from, double seconds);
 
 /// Makes ODE's bodies those of `state`, the wheels exactly on their axle.

@@ -72,15 +72,15 @@ TEST(Route, AfterABlockedShortcutTheOldSectionIsDrivenBeforeTheNextIsTried) {
 }
 
 TEST(Route, AShortcutOnAShortcutIsGivenUpAsAWhole) {
-  const Path bow = {{0, 0}, {1, 2}, {2, 3}, {3, 2}, {4, 0}, {5, -2}, {6, -3}, {7, -2}, {8, 0}, {12, 0}};
-  Route route{bow, true, {0, 0}};
+  const Path arc = {{0, 0}, {1, 2}, {2, 3}, {3, 2}, {4, 0}, {5, -2}, {6, -3}, {7, -2}, {8, 0}, {12, 0}};
+  Route route{arc, true, {0, 0}};
   route.shorten({0, 0}, 4, 1.0);
   Point p = drive(route, {0, 0}, 50);
   route.shorten(p, route.plan().size() - 2, 1.0);
   p = drive(route, p, 40);
-  EXPECT_EQ(route.driven(), bow);
+  EXPECT_EQ(route.driven(), arc);
   EXPECT_EQ(route.restore(p).to, (Point{8, 0}));
-  EXPECT_EQ(route.plan(), bow);
+  EXPECT_EQ(route.plan(), arc);
 }
 
 TEST(Route, AShortcutOnTheWayBackShortensTheSamePath) {
