@@ -4,8 +4,6 @@
 
 #include <utility>
 
-#include <utility>
-
 #include "idl/stamp.hpp"
 #include "runtime/pure/digest.hpp"
 #include "world_server/shell/wire.hpp"
