@@ -75,11 +75,13 @@ radio::Transmission to_transmission(std::uint32_t robot, agent::Outputs& outputs
   return transmission;
 }
 
-std::vector<agent::Frame> to_heard(radio::Reception& reception) {
-  std::vector<agent::Frame> heard;
+std::vector<agent::ReceivedFrame> to_heard(radio::Reception& reception) {
+  std::vector<agent::ReceivedFrame> heard;
   heard.reserve(reception.frames.size());
-  for (radio::Frame& frame : reception.frames) {
-    heard.push_back({.channel = agent::Channel{frame.channel}, .bytes = std::move(frame.bytes)});
+  for (radio::ReceivedFrame& frame : reception.frames) {
+    heard.push_back({.channel = agent::Channel{frame.channel},
+                     .bytes = std::move(frame.bytes),
+                     .signal_strength_dbm = frame.signal_strength_dbm});
   }
   return heard;
 }

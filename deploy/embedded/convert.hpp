@@ -20,7 +20,7 @@ namespace caravan::deploy {
 /// Takes the frames out of `outputs`.
 [[nodiscard]] radio::Transmission to_transmission(std::uint32_t robot, agent::Outputs& outputs);
 /// Takes the frames out of `reception`.
-[[nodiscard]] std::vector<agent::Frame> to_heard(radio::Reception& reception);
+[[nodiscard]] std::vector<agent::ReceivedFrame> to_heard(radio::Reception& reception);
 [[nodiscard]] AgentReport to_report(std::uint32_t robot, const agent::Report& report);
 
 }  // namespace caravan::deploy

@@ -6,9 +6,10 @@
 namespace caravan::radio {
 namespace {
 
-void write(pure::CanonicalBytes& out, const std::vector<Frame>& frames) {
+template <typename AnyFrame>
+void write(pure::CanonicalBytes& out, const std::vector<AnyFrame>& frames) {
   out.word(frames.size());
-  for (const Frame& frame : frames) {
+  for (const AnyFrame& frame : frames) {
     out.word(frame.channel);
     out.bytes(frame.bytes);
   }

@@ -70,6 +70,11 @@ class Air {
   }
 
  private:
+  struct Neighbour {
+    std::size_t index;  // in radios_
+    Link link;
+  };
+
   /// Senders go in the order of their ids, so each queue fills in that order.
   void send(std::size_t sender) {
     find_neighbours(sender);
@@ -81,25 +86,27 @@ class Air {
       } else if (frame.channel >= config_.channel_count) {
         ++drops_.bad_channel;
       } else {
-        for (const std::size_t receiver : neighbours_) offer(frame, index, sender, receiver);
+        for (const Neighbour& receiver : neighbours_) offer(frame, index, sender, receiver);
       }
     }
   }
 
-  void offer(const Frame& frame, std::size_t index, std::size_t sender, std::size_t receiver) {
-    if (radios_[receiver].transmission->tuned != frame.channel) return;
-    Reception& reception = receptions_[receiver];
-    if (is_lost(*radios_[sender].station, *radios_[receiver].station, index)) {
+  void offer(const Frame& frame, std::size_t index, std::size_t sender, const Neighbour& receiver) {
+    const Radio& radio = radios_[receiver.index];
+    if (radio.transmission->tuned != frame.channel) return;
+    Reception& reception = receptions_[receiver.index];
+    if (is_lost(*radios_[sender].station, *radio.station, receiver.link, index)) {
       ++drops_.lost;
     } else if (reception.frames.size() >= config_.queue_length) {
       ++drops_.queue_full;
     } else {
-      reception.frames.push_back(frame);
+      reception.frames.push_back({frame.channel, frame.bytes, receiver.link.signal_strength_dbm});
     }
   }
 
-  [[nodiscard]] bool is_lost(const Station& sender, const Station& receiver, std::size_t index) const {
-    const double loss = loss_on(rules_, sender, receiver).value_or(config_.loss_probability);
+  [[nodiscard]] bool is_lost(const Station& sender, const Station& receiver, const Link& link,
+                             std::size_t index) const {
+    const double loss = loss_on(rules_, sender, receiver).value_or(link.loss_probability);
     if (loss <= 0.0) return false;
     const std::uint64_t word = pure::mix_all(config_.seed, step_, sender.robot, receiver.robot, index);
     return pure::unit_interval(word) < loss;
@@ -123,9 +130,11 @@ class Air {
   bool take_if_near(std::size_t sender, std::size_t other) {
     const double dx = radios_[other].station->x_m - radios_[sender].station->x_m;
     const double dy = radios_[other].station->y_m - radios_[sender].station->y_m;
-    const double range_squared = config_.range_m * config_.range_m;
-    if (dx * dx + dy * dy <= range_squared) neighbours_.push_back(other);
-    return dx * dx <= range_squared;
+    if (const auto link = propagate(config_.propagation, dx * dx + dy * dy)) {
+      neighbours_.push_back({other, *link});
+    }
+    const double range_m = greatest_range_m(config_.propagation);
+    return dx * dx <= range_m * range_m;
   }
 
   const MediumConfig& config_;
@@ -134,7 +143,7 @@ class Air {
   std::span<const LinkRule> rules_;
   std::vector<std::size_t> west_to_east_;  // indices of radios_ by x; those without a place are missing
   std::vector<std::size_t> rank_;          // of each radio in west_to_east_; radios_.size(): missing
-  std::vector<std::size_t> neighbours_;    // of the present sender
+  std::vector<Neighbour> neighbours_;      // of the present sender
   std::vector<Reception> receptions_;      // by robot
   Drops& drops_;
 };

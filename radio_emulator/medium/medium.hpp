@@ -2,22 +2,23 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "radio_emulator/medium/link_rules.hpp"
+#include "radio_emulator/medium/propagation.hpp"
 
 namespace caravan::radio {
 
 /// The medium's rules. TOML table `[radio]`.
 struct MediumConfig {
-  double range_m = 2.0;                     ///< a frame arrives iff distance(sender, receiver) <= range_m
+  PropagationConfig propagation;
   std::uint32_t channel_count = 1U << 20U;  ///< channels are 0 .. channel_count - 1
   std::uint32_t mtu_bytes = 250;            ///< longer frames are refused
   std::uint32_t queue_length =
-      64;  ///< frames that one receiver takes in a step; the newest beyond it are dropped
-  double loss_probability = 0.0;  ///< for each frame and receiver independently, in [0, 1]
-  std::uint64_t seed = 1;         ///< same seed, same losses
+      64;                  ///< frames that one receiver takes in a step; the newest beyond it are dropped
+  std::uint64_t seed = 1;  ///< same seed, same losses
 };
 
 /// A member of the step and where it is, frame W, metres.
@@ -41,10 +42,16 @@ struct Transmission {
   std::vector<Frame> frames;
 };
 
+struct ReceivedFrame {
+  std::uint32_t channel = 0;
+  std::vector<std::uint8_t> bytes;
+  double signal_strength_dbm = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the radio does not say
+};
+
 /// What one robot receives, sorted by sender, then in the order of sending.
 struct Reception {
   std::uint32_t robot = 0;
-  std::vector<Frame> frames;
+  std::vector<ReceivedFrame> frames;
 };
 
 struct Drops {
@@ -56,9 +63,9 @@ struct Drops {
 
 /// The air of one step. Pure: equal arguments, equal result.
 ///
-/// A frame reaches every other station within range that is tuned to its channel now. Nothing else is
-/// modelled: no obstacle, collision or interference. Losses are drawn from (seed, step, sender, receiver,
-/// index of the frame), so that one frame more or less changes the fate of no other.
+/// A frame reaches every other station that is tuned to its channel now and that propagate() lets it reach.
+/// Nothing else is modelled: no obstacle, collision or interference. Losses are drawn from (seed, step,
+/// sender, receiver, index of the frame), so that one frame more or less changes the fate of no other.
 ///
 /// A frame over the MTU or on a channel that does not exist is refused and counted once, whoever is near.
 ///
@@ -69,7 +76,7 @@ struct Drops {
 /// @param transmissions  one for each robot, any order; of several the first counts; a station without one
 ///                       hears and sends nothing
 /// @param drops          counted up
-/// @param rules          take the place of loss_probability on the links that they match
+/// @param rules          take the place of the loss of the links that they match
 /// @return only robots that receive something, sorted by id
 [[nodiscard]] std::vector<Reception> deliver(const MediumConfig& config, std::uint64_t step,
                                              std::span<const Station> stations,

@@ -215,11 +215,11 @@ void RadioShell::publish_receptions(const std::vector<Reception>& receptions,
     msg::RadioReceive sample;
     sample.stamp(robot.is_body ? idl::to_wire(robot.sent_at.value_or(Time{0})) : stamp);
     sample.session(robot.is_body ? robot.session : session_);
-    for (const Frame& frame : reception.frames) {
+    for (const ReceivedFrame& frame : reception.frames) {
       msg::ReceivedFrame received;
       received.channel(frame.channel);
       received.bytes(frame.bytes);
-      received.signal_strength_dbm(std::numeric_limits<double>::quiet_NaN());
+      received.signal_strength_dbm(frame.signal_strength_dbm);
       sample.frames().push_back(std::move(received));
     }
     deliveries_ += reception.frames.size();

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <compare>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,13 @@ struct Frame {
   bool operator==(const Frame&) const = default;
 };
 
+/// A frame as its receiver gets it.
+struct ReceivedFrame {
+  Channel channel;
+  std::vector<std::uint8_t> bytes;
+  double signal_strength_dbm = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the radio does not say
+};
+
 inline constexpr std::size_t kSonarCount = 16;
 
 /// One sensor frame. A real that is not known now is NaN.
@@ -57,7 +65,7 @@ struct Sensors {
 struct Inputs {
   Time now{0};
   Sensors sensors;
-  std::vector<Frame> heard;
+  std::vector<ReceivedFrame> heard;
 };
 
 /// Rim speeds of the two driven wheels, m/s, forward positive.

@@ -21,9 +21,10 @@ namespace {
 constexpr auto kRadioPatience = std::chrono::seconds{1};
 
 /// In the paper's form; with --log-level trace only.
-void log_frames(const char* what, Time now, const std::vector<Frame>& frames) {
+template <typename AnyFrame>
+void log_frames(const char* what, Time now, const std::vector<AnyFrame>& frames) {
   if (!spdlog::should_log(spdlog::level::trace)) return;
-  for (const Frame& frame : frames) {
+  for (const AnyFrame& frame : frames) {
     const std::string text =
         std::visit(pure::Overload{[](const DecodeError&) { return std::string{"malformed"}; },
                                   [](const auto& message) { return to_text(Message{message}); }},
@@ -73,7 +74,7 @@ void HostedAgent::sense(const msg::SensorFrame& frame, bool may_answer) {
 void HostedAgent::hear(const msg::RadioReceive& sample, bool may_answer) {
   if (!follow_session(sample.session())) return;
   for (const msg::ReceivedFrame& frame : sample.frames()) {
-    heard_.push_back({Channel{frame.channel()}, frame.bytes()});
+    heard_.push_back({Channel{frame.channel()}, frame.bytes(), frame.signal_strength_dbm()});
   }
   heard_until_ = std::max(heard_until_, idl::to_time(sample.stamp()));
   if (waiting_ && may_answer && heard_until_ >= idl::to_time(waiting_->stamp())) step(*waiting_);

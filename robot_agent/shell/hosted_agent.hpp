@@ -45,7 +45,7 @@ class HostedAgent {
   std::uint64_t session_ = 0;
   std::optional<Agent> agent_;  // of this session
   Time now_{-1};                // stamp of the last frame stepped on
-  std::vector<Frame> heard_;
+  std::vector<ReceivedFrame> heard_;
   Time heard_until_{-1};                                         // stamp of the newest RadioReceive
   std::optional<caravan_interfaces::msg::SensorFrame> waiting_;  // for its radio
   Wall waiting_until_{};

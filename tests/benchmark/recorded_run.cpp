@@ -37,7 +37,7 @@ RecordedRun record_run(std::size_t robots, std::size_t steps) {
     agents.emplace_back(run.agents.back());
   }
   radio::Drops drops;
-  std::vector<std::vector<agent::Frame>> heard(robots);
+  std::vector<std::vector<agent::ReceivedFrame>> heard(robots);
   for (std::size_t i = 0; i < steps; ++i) {
     RecordedStep step;
     step.poses.assign(world.poses().begin(), world.poses().end());

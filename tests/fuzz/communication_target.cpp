@@ -12,18 +12,18 @@ namespace {
 using std::chrono::milliseconds;
 
 /// Takes the next step's frames from the front of the bytes.
-std::vector<Frame> next_frames(std::span<const std::uint8_t>& bytes, Channel channel) {
+std::vector<ReceivedFrame> next_frames(std::span<const std::uint8_t>& bytes, Channel channel) {
   const auto byte = [&bytes] {
     const std::uint8_t value = bytes.empty() ? std::uint8_t{0} : bytes[0];
     if (!bytes.empty()) bytes = bytes.subspan(1);
     return value;
   };
-  std::vector<Frame> frames;
+  std::vector<ReceivedFrame> frames;
   for (int count = byte() % 8; count > 0; --count) {
     const std::size_t wanted = byte();
     const std::size_t length = std::min(wanted, bytes.size());
     const auto content = bytes.first(length);
-    frames.push_back({channel, {content.begin(), content.end()}});
+    frames.push_back({.channel = channel, .bytes = {content.begin(), content.end()}});
     bytes = bytes.subspan(length);
   }
   return frames;
@@ -44,7 +44,7 @@ void communication(std::span<const std::uint8_t> bytes) {
   bool stands = false;
   for (int silent = 0; silent < 100; silent += bytes.empty() ? 1 : 0) {
     now += milliseconds{32};
-    const std::vector<Frame> heard = next_frames(bytes, tuned);
+    const std::vector<ReceivedFrame> heard = next_frames(bytes, tuned);
     const AirOutputs out = robot.step({now, heard, path});
     tuned = out.tuned;
     stands = out.stand_still;

@@ -80,10 +80,12 @@ void AirWorld::run(int steps) {
   for (; steps > 0; --steps) {
     fly();
     now += kStep;
-    std::map<std::uint16_t, std::vector<Frame>> heard;
+    std::map<std::uint16_t, std::vector<ReceivedFrame>> heard;
     const auto arrived = std::stable_partition(flying_.begin(), flying_.end(),
                                                [this](const Flying& one) { return one.arrives > now; });
-    for (auto one = arrived; one != flying_.end(); ++one) heard[one->to].push_back(std::move(one->frame));
+    for (auto one = arrived; one != flying_.end(); ++one) {
+      heard[one->to].push_back({.channel = one->frame.channel, .bytes = std::move(one->frame.bytes)});
+    }
     flying_.erase(arrived, flying_.end());
     for (auto& [id, robot] : robots_) {
       robot.out = robot.communication.step({now, heard[id], robot.path});

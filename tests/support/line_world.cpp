@@ -115,7 +115,8 @@ void LineWorld::deliver_frames() {
       if (from == to || !bodies_[from].alive) continue;
       if ((bodies_[from].p_WB - bodies_[to].p_WB).norm() > kRadioRange_m) continue;
       for (const agent::Frame& frame : outputs_[from].frames) {
-        if (frame.channel == outputs_[to].tuned) heard_[to].push_back(frame);
+        if (frame.channel != outputs_[to].tuned) continue;
+        heard_[to].push_back({.channel = frame.channel, .bytes = frame.bytes});
       }
     }
   }

@@ -60,7 +60,7 @@ class LineWorld {
   std::vector<Body> bodies_;
   std::vector<agent::Agent> agents_;  // of the first bodies
   std::vector<agent::Outputs> outputs_;
-  std::vector<std::vector<agent::Frame>> heard_;
+  std::vector<std::vector<agent::ReceivedFrame>> heard_;
   std::vector<std::vector<agent::Point>> paths_;
   std::vector<std::uint32_t> delivered_;
   std::vector<bool> closed_;

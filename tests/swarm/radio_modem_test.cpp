@@ -55,13 +55,14 @@ class Pair {
     for (std::size_t i = 0; i < 2; ++i) {
       while (auto frame = radios_[i].next(now)) {
         if (!radios_[1 - i].hears(frame->channel, now)) continue;
-        heard_[1 - i].push_back({agent::Channel{frame->channel}, std::move(frame->bytes)});
+        heard_[1 - i].push_back(
+            {.channel = agent::Channel{frame->channel}, .bytes = std::move(frame->bytes)});
       }
     }
   }
   bool step(std::size_t i, Time now) {
     due_[i] += 100ms;
-    const std::vector<agent::Frame> heard = std::exchange(heard_[i], {});
+    const std::vector<agent::ReceivedFrame> heard = std::exchange(heard_[i], {});
     const agent::Path& own = i == 0 ? path_ : none_;
     agent::AirOutputs out = robots_[i]->step({now, heard, own});
     for (agent::Frame& frame : out.frames)
@@ -74,7 +75,7 @@ class Pair {
   std::array<HalfDuplex, 2> radios_;
   std::array<std::optional<agent::Communication>, 2> robots_;
   std::array<Time, 2> due_{};
-  std::array<std::vector<agent::Frame>, 2> heard_;
+  std::array<std::vector<agent::ReceivedFrame>, 2> heard_;
   agent::Path path_;
   agent::Path none_;
 };

@@ -65,7 +65,7 @@ struct Communication::Impl {
   }
 
   AirOutputs step(const AirInputs& inputs);
-  void hear(const Frame& frame, const AirInputs& inputs, AirOutputs& outputs);
+  void hear(const ReceivedFrame& frame, const AirInputs& inputs, AirOutputs& outputs);
   void hear_wait(const Wait& wait, const AirInputs& inputs, AirOutputs& outputs);
   void hear_fragment(const PathFragment& fragment, const AirInputs& inputs, AirOutputs& outputs);
   Send apply(const PairingEvent& event, const AirInputs& inputs, AirOutputs& outputs);
@@ -83,7 +83,7 @@ AirOutputs Communication::Impl::step(const AirInputs& inputs) {
   AirOutputs outputs;
   outputs.frames.reserve(2);
   refusals.clear();
-  for (const Frame& frame : inputs.heard) hear(frame, inputs, outputs);
+  for (const ReceivedFrame& frame : inputs.heard) hear(frame, inputs, outputs);
   const Send send = apply(Tick{}, inputs, outputs);
   send_wait(inputs, outputs);
   send_for_state(send, inputs, outputs);
@@ -95,7 +95,7 @@ AirOutputs Communication::Impl::step(const AirInputs& inputs) {
   return outputs;
 }
 
-void Communication::Impl::hear(const Frame& frame, const AirInputs& inputs, AirOutputs& outputs) {
+void Communication::Impl::hear(const ReceivedFrame& frame, const AirInputs& inputs, AirOutputs& outputs) {
   const Decoded decoded = decode(frame.bytes);
   std::visit(pure::Overload{
                  [&](const Wait& wait) { hear_wait(wait, inputs, outputs); },

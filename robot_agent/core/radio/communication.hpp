@@ -14,7 +14,7 @@ namespace caravan::agent {
 /// What the radio side of an agent needs to know in a step.
 struct AirInputs {
   Time now{0};
-  std::span<const Frame> heard;
+  std::span<const ReceivedFrame> heard;
   /// The path to give: driven sections only. Empty: this robot has none (mode EXPLORE).
   const Path& own_path;
   /// Where this robot is and how it moves; told in WAIT.

@@ -122,7 +122,10 @@ bool gives_way(bool robots_are_solid) {
   for (int i = 0; i < 200; ++i) {
     sensors.sonar_range_m.fill(std::numeric_limits<double>::infinity());
     for (const std::size_t front : {3U, 4U}) sensors.sonar_range_m[front] = 2.7 - sensors.p_WB.x();
-    const auto heard = other.step({i * 32ms, sensors, {}}).frames;
+    std::vector<ReceivedFrame> heard;
+    for (Frame& frame : other.step({i * 32ms, sensors, {}}).frames) {
+      heard.push_back({.channel = frame.channel, .bytes = std::move(frame.bytes)});
+    }
     const Outputs outputs = agent.step({i * 32ms, sensors, heard});
     if (outputs.report.activity == Activity::kAvoiding) return true;
     if (outputs.report.mode == Mode::kTransport) return false;

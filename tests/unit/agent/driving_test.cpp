@@ -70,17 +70,6 @@ TEST(Driver, TheSameEchoWithoutAWaitIsAnObstacleAtTheShorterDistance) {
             Obstruction::kObstacle);
 }
 
-TEST(Driver, TheRuleForMeetingsIsReplaceable) {
-  Driver driver{{}, [](const Encounter&) { return Manoeuvre{Go{-1.0}}; }};
-  pure::Random random{1};
-  Perception seen = look(kAhead, {0, 0}, 0.0);
-  seen.robot_near = true;
-  (void)driver.drive_to({5, 0}, seen, random);
-  const Motion motion = driver.drive_to({5, 0}, seen, random);
-  EXPECT_LT(motion.wheels.left_mps, 0.0);
-  EXPECT_DOUBLE_EQ(motion.wheels.left_mps, motion.wheels.right_mps);
-}
-
 TEST(Driver, ARobotThatDrivesAndDoesNotMoveBacksOff) {
   Driver driver{Config{}};
   pure::Random random{1};

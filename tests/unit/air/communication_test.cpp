@@ -20,6 +20,13 @@ using testing::SizeIs;
 
 constexpr Time kStep = 32ms;
 
+/// What arrives of frames that were sent.
+std::vector<ReceivedFrame> arrive(const std::vector<Frame>& frames) {
+  std::vector<ReceivedFrame> heard;
+  for (const Frame& frame : frames) heard.push_back({.channel = frame.channel, .bytes = frame.bytes});
+  return heard;
+}
+
 std::string text_of(const Frame& frame) {
   return std::visit(pure::Overload{[](const auto& message) { return to_text(message); },
                                    [](DecodeError) { return std::string{"?"}; }},
@@ -51,12 +58,13 @@ struct CommunicationTest : testing::Test {
     own.id = RobotId{id};
     return robots.emplace(id, Robot{Communication{own}, std::move(path), {}, {}, {}, {}}).first->second;
   }
-  void step(const std::vector<Frame>& extra = {}) {
-    std::map<std::uint16_t, std::vector<Frame>> heard;
+  void step(const std::vector<ReceivedFrame>& extra = {}) {
+    std::map<std::uint16_t, std::vector<ReceivedFrame>> heard;
     for (const auto& [to, receiver] : robots) {
       for (const auto& [from, sender] : robots) {
         for (const Frame& frame : sender.out.frames) {
-          if (from != to && frame.channel == receiver.out.tuned) heard[to].push_back(frame);
+          if (from == to || frame.channel != receiver.out.tuned) continue;
+          heard[to].push_back({.channel = frame.channel, .bytes = frame.bytes});
         }
       }
       heard[to].insert(heard[to].end(), extra.begin(), extra.end());
@@ -64,7 +72,7 @@ struct CommunicationTest : testing::Test {
     now += kStep;
     for (auto& [id, robot] : robots) take(robot, heard[id]);
   }
-  void take(Robot& robot, const std::vector<Frame>& heard) const {
+  void take(Robot& robot, const std::vector<ReceivedFrame>& heard) const {
     robot.out = robot.communication.step({.now = now, .heard = heard, .own_path = robot.path});
     robot.ended.insert(robot.ended.end(), robot.out.ended.begin(), robot.out.ended.end());
     if (robot.out.received) robot.received.push_back(*robot.out.received);
@@ -137,8 +145,10 @@ int waits_of_a_robot(Config config, bool near, const std::function<Whereabouts(i
   const Path none;
   int waits = 0;
   for (int step = 0; step < 312; ++step) {
-    std::vector<Frame> heard;
-    if (near) heard.push_back({kCommonChannel, encode(Wait{RobotId{7}, Mode::kExplore, {}, {}})});
+    std::vector<ReceivedFrame> heard;
+    if (near) {
+      heard.push_back({.channel = kCommonChannel, .bytes = encode(Wait{RobotId{7}, Mode::kExplore, {}, {}})});
+    }
     const AirOutputs out = communication.step(
         {.now = step * kStep, .heard = heard, .own_path = none, .whereabouts = place(step)});
     waits += static_cast<int>(out.frames.size());
@@ -301,12 +311,12 @@ TEST_F(CommunicationTest, TellsWhereItIsInItsWaitAndHandsOnWhatOthersTell) {  //
   Communication seven{Config{.id = RobotId{7}}};
   const Path none;
   const AirOutputs told = three.step({.now = now, .heard = {}, .own_path = none, .whereabouts = place});
-  const AirOutputs heard = seven.step({.now = now, .heard = told.frames, .own_path = none});
+  const AirOutputs heard = seven.step({.now = now, .heard = arrive(told.frames), .own_path = none});
   EXPECT_EQ(text_of(told.frames.front()), "WAIT_3_EXPLORE");
   ASSERT_THAT(heard.robots, SizeIs(1));
   EXPECT_EQ(heard.robots[0].from, RobotId{3});
   EXPECT_EQ(heard.robots[0].whereabouts, place);
-  const AirOutputs answer = three.step({.now = now + kStep, .heard = heard.frames, .own_path = none});
+  const AirOutputs answer = three.step({.now = now + kStep, .heard = arrive(heard.frames), .own_path = none});
   ASSERT_THAT(answer.robots, SizeIs(1));
   EXPECT_FALSE(answer.robots[0].whereabouts) << "who does not know where it is says so by saying nothing";
 }

@@ -25,7 +25,7 @@ std::vector<std::pair<int, int>> heard_by(std::span<const LinkRule> rules, const
   Drops drops;
   std::vector<std::pair<int, int>> pairs;
   for (const Reception& reception : deliver(config, step, stations, transmissions, drops, rules)) {
-    for (const Frame& frame : reception.frames) pairs.emplace_back(frame.bytes[0], reception.robot);
+    for (const ReceivedFrame& frame : reception.frames) pairs.emplace_back(frame.bytes[0], reception.robot);
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;
@@ -70,7 +70,7 @@ TEST(LinkRules, TheNewestCounts) {
 TEST(LinkRules, AHealedLinkHasTheScenariosLoss) {
   LinkRule heal = cut({1}, {2});
   heal.loss.reset();
-  EXPECT_THAT(heard_by(std::vector{heal}, {.loss_probability = 1.0}), IsEmpty());
+  EXPECT_THAT(heard_by(std::vector{heal}, {.propagation = {.loss_probability = 1.0}}), IsEmpty());
 }
 
 TEST(LinkRules, DegradeALinkByAboutTheLossAskedFor) {

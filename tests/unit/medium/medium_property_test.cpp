@@ -6,6 +6,7 @@
 
 #include "radio_emulator/medium/medium.hpp"
 #include "runtime/pure/random.hpp"
+#include "tests/unit/medium/frames_of.hpp"
 
 namespace caravan::radio {
 namespace {
@@ -20,7 +21,7 @@ struct Step {
 Step random_step(std::uint64_t seed) {
   pure::Random random{seed};
   Step step;
-  step.config.loss_probability = random.chance(0.5) ? 0.3 : 0.0;
+  step.config.propagation.loss_probability = random.chance(0.5) ? 0.3 : 0.0;
   step.config.queue_length = random.chance(0.5) ? 64 : 5;
   step.config.channel_count = 4;
   step.config.mtu_bytes = 32;
@@ -67,19 +68,19 @@ std::vector<Reception> brute_force(const Step& step, std::uint64_t number, Drops
       if (sender == receiver || !takes_part(sender)) continue;
       const double dx = place(sender)->x_m - place(receiver)->x_m;
       const double dy = place(sender)->y_m - place(receiver)->y_m;
-      if (dx * dx + dy * dy > step.config.range_m * step.config.range_m) continue;
+      if (dx * dx + dy * dy > step.config.propagation.range_m * step.config.propagation.range_m) continue;
       for (std::size_t index = 0; index < radio(sender)->frames.size(); ++index) {
         const Frame& frame = radio(sender)->frames[index];
         if (frame.bytes.size() > step.config.mtu_bytes || frame.channel >= step.config.channel_count)
           continue;
         if (frame.channel != radio(receiver)->tuned) continue;
         const std::uint64_t draw = pure::mix_all(step.config.seed, number, sender, receiver, index);
-        if (pure::unit_interval(draw) < step.config.loss_probability) {
+        if (pure::unit_interval(draw) < step.config.propagation.loss_probability) {
           ++drops.lost;
         } else if (reception.frames.size() == step.config.queue_length) {
           ++drops.queue_full;
         } else {
-          reception.frames.push_back(frame);
+          reception.frames.push_back({.channel = frame.channel, .bytes = frame.bytes});
         }
       }
     }
@@ -100,7 +101,7 @@ TEST(MediumProperty, EqualsBruteForceFrameForFrame) {
     ASSERT_EQ(heard.size(), expected.size());
     for (std::size_t index = 0; index < heard.size(); ++index) {
       EXPECT_EQ(heard[index].robot, expected[index].robot);
-      EXPECT_EQ(heard[index].frames, expected[index].frames);
+      EXPECT_EQ(frames_of(heard[index]), frames_of(expected[index]));
       delivered += heard[index].frames.size();
     }
     EXPECT_EQ(drops.lost, expected_drops.lost);
@@ -130,7 +131,7 @@ TEST(MediumProperty, TheOrderOfTheArgumentsDoesNotMatter) {
     ASSERT_EQ(heard.size(), again.size());
     for (std::size_t index = 0; index < heard.size(); ++index) {
       EXPECT_EQ(heard[index].robot, again[index].robot);
-      EXPECT_EQ(heard[index].frames, again[index].frames);
+      EXPECT_EQ(frames_of(heard[index]), frames_of(again[index]));
     }
   }
 }

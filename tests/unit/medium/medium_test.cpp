@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "tests/unit/medium/frames_of.hpp"
+
 namespace caravan::radio {
 namespace {
 
@@ -41,7 +43,7 @@ TEST_F(MediumTest, ReachesARobotAtExactlyTheRangeAndNoneBeyond) {
   const auto heard = deliver_to({{1, 0.0, 0.0}, {2, 2.0, 0.0}, {3, 0.0, 2.001}, {4, 0.0, -2.0}},
                                 {says(1, {42}), listens(2), listens(3), listens(4)});
   EXPECT_THAT(receivers(heard), ElementsAre(2, 4));
-  EXPECT_THAT(heard[0].frames, ElementsAre(Frame{0, {42}}));
+  EXPECT_THAT(frames_of(heard[0]), ElementsAre(Frame{0, {42}}));
 }
 
 TEST_F(MediumTest, NobodyHearsItself) {
@@ -61,8 +63,8 @@ TEST_F(MediumTest, SeveralChannelsInOneStepGoToTheirOwnListeners) {
   const auto heard =
       deliver_to({{1, 0.0, 0.0}, {2, 1.0, 0.0}, {3, 1.0, 0.0}}, {sender, listens(2, 5), listens(3, 0)});
   ASSERT_THAT(receivers(heard), ElementsAre(2, 3));
-  EXPECT_THAT(heard[0].frames, ElementsAre(Frame{5, {2}}));
-  EXPECT_THAT(heard[1].frames, ElementsAre(Frame{0, {1}}, Frame{0, {3}}));
+  EXPECT_THAT(frames_of(heard[0]), ElementsAre(Frame{5, {2}}));
+  EXPECT_THAT(frames_of(heard[1]), ElementsAre(Frame{0, {1}}, Frame{0, {3}}));
 }
 
 TEST_F(MediumTest, AQueueIsSortedBySenderThenByTheOrderOfSending) {
@@ -70,7 +72,7 @@ TEST_F(MediumTest, AQueueIsSortedBySenderThenByTheOrderOfSending) {
   const auto heard =
       deliver_to({{9, 0.0, 0.0}, {3, 1.0, 0.0}, {1, -1.0, 0.0}}, {three, listens(9), says(1, {11})});
   ASSERT_EQ(receivers(heard).back(), 9U);
-  EXPECT_THAT(heard.back().frames, ElementsAre(Frame{0, {11}}, Frame{0, {31}}, Frame{0, {32}}));
+  EXPECT_THAT(frames_of(heard.back()), ElementsAre(Frame{0, {11}}, Frame{0, {31}}, Frame{0, {32}}));
 }
 
 TEST_F(MediumTest, ResultsAreSortedByReceiverWhateverTheOrderOfTheArguments) {
@@ -88,7 +90,7 @@ TEST_F(MediumTest, AFullQueueDropsTheNewestAndCountsThem) {
   const auto heard =
       deliver_to({{9, 0.0, 0.0}, {3, 1.9, 0.0}, {1, -1.9, 0.0}}, {three, listens(9), says(1, {11})});
   ASSERT_THAT(receivers(heard), ElementsAre(9));
-  EXPECT_THAT(heard[0].frames, ElementsAre(Frame{0, {11}}, Frame{0, {31}}));
+  EXPECT_THAT(frames_of(heard[0]), ElementsAre(Frame{0, {11}}, Frame{0, {31}}));
   EXPECT_EQ(drops.queue_full, 1U);
 }
 
@@ -98,7 +100,7 @@ TEST_F(MediumTest, AFrameOfExactlyTheMtuPassesALongerOneIsRefusedAndCountedOnce)
       deliver_to({{1, 0.0, 0.0}, {2, 1.0, 0.0}, {3, 1.0, 1.0}},
                  {Transmission{1, 0, {{0, Bytes(40, 7)}, {0, Bytes(41, 7)}}}, listens(2), listens(3)});
   ASSERT_THAT(receivers(heard), ElementsAre(2, 3));
-  EXPECT_THAT(heard[0].frames, ElementsAre(Frame{0, Bytes(40, 7)}));
+  EXPECT_THAT(frames_of(heard[0]), ElementsAre(Frame{0, Bytes(40, 7)}));
   EXPECT_EQ(drops.over_mtu, 1U);
 }
 
@@ -123,7 +125,7 @@ TEST_F(MediumTest, OfSeveralTransmissionsOrStationsOfOneRobotTheFirstCounts) {
   const auto heard =
       deliver_to({{1, 0.0, 0.0}, {2, 1.0, 0.0}, {2, 50.0, 0.0}}, {says(1, {1}), says(1, {2}), listens(2)});
   ASSERT_THAT(receivers(heard), ElementsAre(2));
-  EXPECT_THAT(heard[0].frames, ElementsAre(Frame{0, {1}}));
+  EXPECT_THAT(frames_of(heard[0]), ElementsAre(Frame{0, {1}}));
 }
 
 TEST_F(MediumTest, AStationWithoutAPlaceIsInNobodysRange) {
@@ -133,11 +135,11 @@ TEST_F(MediumTest, AStationWithoutAPlaceIsInNobodysRange) {
       deliver_to({{1, nan, 0.0}, {2, 0.0, 0.0}, {3, inf, 0.0}, {4, 1.0, 0.0}, {5, 0.0, nan}, {6, inf, 0.0}},
                  {says(1, {1}), says(2, {2}), says(3, {3}), says(4, {4}), says(5, {5}), says(6, {6})});
   ASSERT_THAT(receivers(heard), ElementsAre(2, 4));
-  EXPECT_THAT(heard[0].frames, ElementsAre(Frame{0, {4}}));
+  EXPECT_THAT(frames_of(heard[0]), ElementsAre(Frame{0, {4}}));
 }
 
 TEST_F(MediumTest, LossIsNearItsProbabilityAndCounted) {
-  config.loss_probability = 0.3;
+  config.propagation.loss_probability = 0.3;
   std::size_t arrived = 0;
   for (step = 0; step < 10000; ++step) {
     arrived += deliver_to({{1, 0.0, 0.0}, {2, 1.0, 0.0}}, {says(1, {1}), listens(2)}).size();
@@ -147,7 +149,7 @@ TEST_F(MediumTest, LossIsNearItsProbabilityAndCounted) {
 }
 
 TEST_F(MediumTest, AFrameMoreOrLessChangesTheLossOfNoOther) {
-  config.loss_probability = 0.5;
+  config.propagation.loss_probability = 0.5;
   for (step = 0; step < 200; ++step) {
     const auto alone = deliver_to({{1, 0.0, 0.0}, {2, 1.0, 0.0}}, {says(1, {1}), listens(2)});
     const auto crowd = deliver_to({{1, 0.0, 0.0}, {2, 1.0, 0.0}, {3, 1.0, 1.0}},
@@ -162,7 +164,7 @@ TEST_F(MediumTest, AFrameMoreOrLessChangesTheLossOfNoOther) {
 }
 
 TEST_F(MediumTest, CertainLossLosesEverything) {
-  config.loss_probability = 1.0;
+  config.propagation.loss_probability = 1.0;
   for (step = 0; step < 100; ++step) {
     EXPECT_THAT(deliver_to({{1, 0.0, 0.0}, {2, 1.0, 0.0}}, {says(1, {1}), listens(2)}), IsEmpty());
   }

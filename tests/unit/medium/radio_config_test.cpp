@@ -20,19 +20,19 @@ queue_length = 8
 loss_probability = 0.25
 )",
                                                                     "test.toml"));
-  EXPECT_EQ(config.range_m, 3.5);
+  EXPECT_EQ(config.propagation.range_m, 3.5);
   EXPECT_EQ(config.channel_count, 16U);
   EXPECT_EQ(config.mtu_bytes, 100U);
   EXPECT_EQ(config.queue_length, 8U);
-  EXPECT_EQ(config.loss_probability, 0.25);
+  EXPECT_EQ(config.propagation.loss_probability, 0.25);
   EXPECT_EQ(config.seed, 9U);
 }
 
 TEST(RadioConfig, IsThePapersRadioWhenTheFileSaysNothing) {
   const MediumConfig config = load_radio_config(TomlDocument::parse("", "test.toml"));
-  EXPECT_EQ(config.range_m, 2.0);
+  EXPECT_EQ(config.propagation.range_m, 2.0);
   EXPECT_EQ(config.channel_count, 1U << 20U);
-  EXPECT_EQ(config.loss_probability, 0.0);
+  EXPECT_EQ(config.propagation.loss_probability, 0.0);
 }
 
 TEST(RadioConfig, NamesFileLineAndKeyOfANegativeRange) {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <optional>
+
+namespace caravan::radio {
+
+/// How frames fare between two places. Part of TOML table `[radio]`.
+struct PropagationConfig {
+  double range_m = 2.0;           ///< hard disc: a frame arrives iff distance(sender, receiver) <= range_m
+  double loss_probability = 0.0;  ///< within it, for each frame and receiver independently, in [0, 1]
+};
+
+/// What a frame meets between a sender and a receiver.
+struct Link {
+  double loss_probability = 0.0;
+  double signal_strength_dbm = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the radio does not say
+};
+
+/// The greatest distance at which anything arrives, metres: who is further off need not be looked at.
+[[nodiscard]] constexpr double greatest_range_m(const PropagationConfig& config) { return config.range_m; }
+
+/// The link over a distance, whose square is given: so the range rule takes no root, and rounds the same
+/// everywhere.
+/// @return none: nothing arrives
+[[nodiscard]] constexpr std::optional<Link> propagate(const PropagationConfig& config,
+                                                      double distance_squared_m2) {
+  if (distance_squared_m2 > config.range_m * config.range_m) return std::nullopt;
+  return Link{.loss_probability = config.loss_probability};
+}
+
+}  // namespace caravan::radio

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "radio_emulator/medium/medium.hpp"
+
+namespace caravan::radio {
+
+/// What was received, without how: comparable.
+inline std::vector<Frame> frames_of(const Reception& reception) {
+  std::vector<Frame> frames;
+  for (const ReceivedFrame& frame : reception.frames) frames.push_back({frame.channel, frame.bytes});
+  return frames;
+}
+
+}  // namespace caravan::radio
