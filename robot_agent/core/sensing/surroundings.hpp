@@ -36,8 +36,8 @@ class Surroundings {
  public:
   Surroundings(const Sensors& sensors, const Config& config);
 
-  /// The same without the echoes at places (frame B) for which `is_of_a_robot` holds: what is left is no robot
-  /// that told where it is.
+  /// The same without the echoes at places (frame B) for which `is_of_a_robot` holds: what is left is no
+  /// robot that told where it is.
   template <typename IsOfARobot>
   [[nodiscard]] Surroundings without(const IsOfARobot& is_of_a_robot) const {
     Surroundings rest = *this;
