@@ -50,10 +50,11 @@ void RobotShell::on_body(const msg::SensorFrame& frame) {
                 .yaw_WB_rad = frame.compass_yaw_rad(),
                 .left_wheel_rad = frame.left_wheel_rad(),
                 .right_wheel_rad = frame.right_wheel_rad(),
-                .holding = frame.holding()},
+                .holding = frame.holding(),
+                .measured = idl::to_time(frame.stamp())},
                now());
   const Pose pose{{frame.gps_x_m(), frame.gps_y_m()}, frame.compass_yaw_rad()};
-  gps_.sense(antenna_place(pose, config_.antenna_B), now());
+  gps_.sense(antenna_place(pose, config_.antenna_B), idl::to_time(frame.stamp()));
   answer(frame);
 }
 

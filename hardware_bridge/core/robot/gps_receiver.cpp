@@ -21,9 +21,9 @@ Point antenna_place(const Pose& robot, const Point& antenna_B) {
           robot.p_WB.y_m + sine * antenna_B.x_m + cosine * antenna_B.y_m};
 }
 
-void GpsReceiver::sense(const Point& antenna_W, Time now) {
+void GpsReceiver::sense(const Point& antenna_W, Time measured) {
   sensed_.reset();
-  if (std::isfinite(antenna_W.x_m) && std::isfinite(antenna_W.y_m)) sensed_ = Sensed{antenna_W, now};
+  if (std::isfinite(antenna_W.x_m) && std::isfinite(antenna_W.y_m)) sensed_ = Sensed{antenna_W, measured};
 }
 
 std::string GpsReceiver::take_lines(Time now) {

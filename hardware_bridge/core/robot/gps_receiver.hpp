@@ -18,8 +18,8 @@ class GpsReceiver {
   explicit GpsReceiver(const ArenaPlace& arena, Time period = std::chrono::milliseconds{100})
       : projection_{arena}, period_{period} {}
 
-  /// Where the antenna is; not finite: no fix.
-  void sense(const Point& antenna_W, Time now);
+  /// Where the antenna is; not finite: no fix. @param measured  by any clock: its speed is reckoned with it
+  void sense(const Point& antenna_W, Time measured);
   /// The sentences that are due, with line ends; empty when none are.
   [[nodiscard]] std::string take_lines(Time now);
   [[nodiscard]] Time next_deadline() const { return due_; }

@@ -218,7 +218,7 @@ bool Microcontroller::ask_for_report(Order order, int value) {
 
 void Microcontroller::sense(const BodySenses& senses, Time now) {
   senses_ = senses;
-  reckoning_.turn(senses.left_wheel_rad, senses.right_wheel_rad, now);
+  reckoning_.turn(senses.left_wheel_rad, senses.right_wheel_rad, senses.measured.value_or(now));
   left_stall_.see(told_.left_mps, reckoning_.left_mps(), now);
   right_stall_.see(told_.right_mps, reckoning_.right_mps(), now);
   tick(now);

@@ -44,6 +44,8 @@ struct BodySenses {
   double left_wheel_rad = 0.0;
   double right_wheel_rad = 0.0;
   bool holding = false;
+  /// When, by the body's clock: on their way they may be delayed, and then come all at once. None: now.
+  std::optional<Time> measured = {};
 };
 
 /// What its motors and its gripper do.

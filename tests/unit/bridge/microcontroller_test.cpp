@@ -148,6 +148,27 @@ TEST_F(Robot, ReckonsByItsWheelsSlipOrNot) {
   EXPECT_NEAR(sips_.back().left_mmps, 500, 2);
 }
 
+TEST_F(Robot, SpeedsAreByTheBodysClockHoweverItsFramesAreDelayed) {
+  open();
+  for (int frame = 0; frame < 100; ++frame) {
+    const Time measured = frame * 32ms;
+    senses_.left_wheel_rad = 0.3 * seconds(measured) / kRadius_m;
+    senses_.right_wheel_rad = 0.2 * seconds(measured) / kRadius_m;
+    senses_.measured = measured;
+    now_ = frame / 5 * 160ms + frame % 5 * 1us;  // five at once
+    robot_.sense(senses_, now_);
+  }
+  for (const Bytes& data : packets_.feed(robot_.take_output())) {
+    if (auto sip = arcos::decode_sip(data)) sips_.push_back(*sip);
+  }
+  ASSERT_GT(sips_.size(), 10U);
+  for (std::size_t i = 1; i < sips_.size(); ++i) {
+    EXPECT_NEAR(sips_[i].left_mmps, 300, 1);
+    EXPECT_NEAR(sips_[i].right_mmps, 200, 1);
+    EXPECT_NEAR(*sips_[i].turn_rate, -174, 2);
+  }
+}
+
 TEST_F(Robot, WheelsThatAreBlockedStall) {
   open();
   say(encode(Order::kWheelSpeeds, arcos::wheel_speeds_argument(0.3, 0.3)));
