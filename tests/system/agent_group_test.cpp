@@ -19,9 +19,13 @@ using ::testing::UnorderedElementsAre;
 class AgentGroup : public ::testing::Test {
  protected:
   [[nodiscard]] std::vector<std::string> agents(const std::vector<std::string>& which) const {
-    std::vector<std::string> line{
-        "robot_agent", "--scenario", scenario("small.toml"), "--domain", std::to_string(lock_.domain()),
-        "--lease",     "1"};
+    std::vector<std::string> line{"robot_agent",
+                                  "--scenario",
+                                  scenario("small.toml"),
+                                  "--domain",
+                                  std::to_string(lock_.domain()),
+                                  "--lease",
+                                  std::to_string(short_lease_s())};
     line.insert(line.end(), which.begin(), which.end());
     return line;
   }
@@ -132,7 +136,7 @@ TEST_F(AgentGroup, TakesOverFromOneThatWasKilled) {
   Process second{agents({"--robots", "1-4"}), folder_ / "second.log"};
   EXPECT_TRUE(ones.first([](const msg::RobotCommand&) { return true; })) << second.output();
   EXPECT_TRUE(threes.first([](const msg::RobotCommand&) { return true; })) << second.output();
-  EXPECT_EQ(second.wait(2500ms), std::nullopt) << second.output();
+  EXPECT_EQ(second.wait(longer_than_a_short_lease()), std::nullopt) << second.output();
 }
 
 TEST_F(AgentGroup, RefusesABadChoiceOfRobots) {

@@ -82,13 +82,13 @@ TEST_F(DdsRun, NeedsNoNetwork) {
   const std::vector<std::string> no_network{"/usr/bin/unshare", "--map-root-user", "--net"};
   std::vector<std::string> probe = no_network;
   probe.emplace_back("true");
-  if (deploy::Process allowed{probe, folder_ / "probe.log"}; allowed.wait(kRunPatience) != 0) {
+  if (PatientProcess allowed{probe, folder_ / "probe.log"}; allowed.wait(kRunPatience) != 0) {
     GTEST_SKIP() << "no network namespaces here: " << allowed.output();
   }
   std::vector<std::string> line = no_network;
   for (const std::string& word : run({"--items", "1"})) line.push_back(word);
   line[no_network.size()] = std::string{CARAVAN_BIN_DIR} + "/caravan";
-  deploy::Process launcher{line, folder_ / "launcher.log"};
+  PatientProcess launcher{line, folder_ / "launcher.log"};
   EXPECT_EQ(launcher.wait(kRunPatience), 0) << "not even the loopback is up: " << launcher.output();
   EXPECT_EQ(metrics()["items_delivered"], 1);
 }
@@ -120,7 +120,7 @@ TEST_F(DdsRun, AnInterruptAtAnyMomentStopsEverybody) {
     Process caravan{{"caravan", "run", scenario("small.toml"), "--out", out, "--items", "1000", "--domain",
                      std::to_string(lock_.domain())},
                     folder_ / "caravan.log"};
-    ASSERT_EQ(caravan.wait(moment), std::nullopt) << caravan.output();
+    ASSERT_EQ(caravan.deploy::Process::wait(moment), std::nullopt) << caravan.output();
     caravan.signal(SIGINT);
     EXPECT_EQ(caravan.wait(10s), 130) << caravan.output();
     expect_nothing_left();

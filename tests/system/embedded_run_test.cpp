@@ -11,13 +11,12 @@ namespace caravan {
 namespace {
 
 namespace fs = std::filesystem;
-using std::chrono::seconds;
 using test::eventually;
+using test::kPatience;
 using test::Process;
 using test::read_file;
 
 const fs::path kSmall = test::scenario("small.toml");
-constexpr seconds kPatience{30};
 
 nlohmann::json metrics_of(const fs::path& folder) {
   return nlohmann::json::parse(read_file(folder / "metrics.json"));

@@ -42,7 +42,7 @@ class FullDisk : public ::testing::Test {
           std::vector<std::string>{"/usr/bin/unshare", "--user", "--map-root-user", "--mount"}}) {
       std::vector<std::string> line = with_disk(before, "64k");
       line.emplace_back("/bin/true");
-      deploy::Process trial{line, folder_ / "trial.log"};
+      PatientProcess trial{line, folder_ / "trial.log"};
       const bool works = trial.wait(kPatience) == 0;
       std::filesystem::remove_all(kept());
       if (works) {
@@ -60,7 +60,7 @@ class FullDisk : public ::testing::Test {
                 {std::string{CARAVAN_BIN_DIR} + "/caravan", "run", scenario("small.toml"), "--quiet",
                  "--items", "100000", "--max-time", "100000", "--out", disk() + "/out"});
     line.insert(line.end(), options.begin(), options.end());
-    deploy::Process caravan{line, folder_ / "caravan.log"};
+    PatientProcess caravan{line, folder_ / "caravan.log"};
     const auto code = caravan.wait(kPatience);
     said_ = caravan.output();
     return code;
@@ -174,7 +174,7 @@ class FullTrace : public ::testing::Test {
 };
 
 TEST_F(FullTrace, EndsAnEmbeddedRun) {
-  deploy::Process caravan{run("ulimit -f 500;", {"--engine", "embedded"}), folder_ / "caravan.log"};
+  PatientProcess caravan{run("ulimit -f 500;", {"--engine", "embedded"}), folder_ / "caravan.log"};
   EXPECT_EQ(caravan.wait(kPatience), 1) << caravan.output();
   EXPECT_THAT(failure(), ::testing::ContainsRegex("\\.trace: cannot be written: File too large"));
   EXPECT_THAT(caravan.output(), HasSubstr(failure()));
@@ -183,7 +183,7 @@ TEST_F(FullTrace, EndsAnEmbeddedRun) {
 /// The world could go on without its radio, but the trace would be half of one.
 TEST_F(FullTrace, OfTheRadioEndsTheRun) {
   const deploy::DomainLock lock{std::nullopt};
-  deploy::Process caravan{run("", {"--domain", std::to_string(lock.domain())}), folder_ / "caravan.log"};
+  PatientProcess caravan{run("", {"--domain", std::to_string(lock.domain())}), folder_ / "caravan.log"};
   const auto trace = folder_ / "out/trace/radio.trace";
   ASSERT_TRUE(eventually(
       [&] {

@@ -27,9 +27,9 @@ TEST(InterruptLong, AHundredInterruptsAtRandomMomentsLeaveNothingBehind) {
     Process caravan{{"caravan", "run", scenario("small.toml"), "--items", "1000", "--out",
                      folder / ("out" + std::to_string(attempt)), "--domain", std::to_string(lock.domain())},
                     folder / "caravan.log"};
-    ASSERT_EQ(caravan.wait(moment), std::nullopt) << caravan.output();
+    ASSERT_EQ(caravan.deploy::Process::wait(moment), std::nullopt) << caravan.output();
     caravan.signal(SIGINT);
-    const auto code = caravan.wait(15s);
+    const auto code = caravan.wait(kPatience);
     ASSERT_TRUE(code == 130) << caravan.output();
     ASSERT_THAT(processes_in(lock.domain()), IsEmpty());
     ASSERT_THAT(left_in_shared_memory(lock.domain()), IsEmpty());

@@ -14,6 +14,7 @@
 #include "runtime/bus/bus.hpp"
 #include "runtime/bus/fastdds_version.hpp"
 #include "runtime/bus/qos.hpp"
+#include "tests/support/patience.hpp"
 
 namespace caravan::test {
 namespace {
@@ -92,7 +93,8 @@ TEST(LostSamples, HoldUpTheLockstepForLessThanHalfASecond) {
       });
   send(0);
 
-  ASSERT_EQ(finished.get_future().wait_for(20s), std::future_status::ready)
+  auto done = finished.get_future();
+  ASSERT_TRUE(eventually([&] { return done.wait_for(0s) == std::future_status::ready; }, kPatience))
       << rounds.size() << ' ' << *lossy->dropped;
   world.close();
   robot.close();
@@ -104,7 +106,7 @@ TEST(LostSamples, HoldUpTheLockstepForLessThanHalfASecond) {
   // make it 3 s.
   std::nth_element(held_up.begin(), held_up.begin() + static_cast<long>(held_up.size() / 2), held_up.end());
   const auto median = held_up[held_up.size() / 2];
-  EXPECT_LT(median, 500ms);
+  EXPECT_LT(median, 500ms * slowness());
   std::cout << held_up.size() << " of " << kRounds << " rounds were held up, median "
             << std::chrono::duration<double>(median).count() << " s\n";
 }

@@ -15,8 +15,6 @@ namespace {
 using namespace std::chrono_literals;
 using ::testing::IsEmpty;
 
-constexpr std::chrono::milliseconds kPatience{60'000};
-
 class StandingStill : public ::testing::Test {
  protected:
   void SetUp() override { ASSERT_TRUE(goes_on()) << launcher_.output(); }

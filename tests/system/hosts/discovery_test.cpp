@@ -36,7 +36,7 @@ class DiscoveryServer : public ::testing::Test {
         replaced(text, name, name + "<interfaceWhiteList><address>127.0.0.1</address></interfaceWhiteList>"));
   }
   void start_server() {
-    server_ = std::make_unique<deploy::Process>(
+    server_ = std::make_unique<PatientProcess>(
         std::vector<std::string>{"/usr/bin/fast-discovery-server", "-i", "0", "-l", "127.0.0.1", "-p", port_,
                                  "-x", profile("discovery_server.xml")},
         folder_ / "server.log");
@@ -64,11 +64,11 @@ class DiscoveryServer : public ::testing::Test {
   deploy::DomainLock lock_{std::nullopt};
   // The last of the domain's ports: no participant gets that far.
   const std::string port_ = std::to_string(7400 + 250 * lock_.domain() + 249);
-  std::unique_ptr<deploy::Process> server_;
+  std::unique_ptr<PatientProcess> server_;
   std::unique_ptr<Fleet> fleet_;
   const Starter here_ = [this](std::vector<std::string> arguments, const std::string& log) {
     arguments[0] = std::string{CARAVAN_BIN_DIR} + "/" + arguments[0];
-    return std::make_unique<deploy::Process>(arguments, folder_ / (log + ".log"));
+    return std::make_unique<PatientProcess>(arguments, folder_ / (log + ".log"));
   };
 };
 

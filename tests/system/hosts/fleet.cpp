@@ -43,19 +43,19 @@ void Fleet::start(const Starter& starter, const std::string& program, const std:
 }
 
 void Fleet::kill(const std::string& program, const std::string& robots) {
-  deploy::Process& victim = process(program, robots);
+  PatientProcess& victim = process(program, robots);
   victim.signal(SIGKILL);
   EXPECT_EQ(victim.wait(20s), 128 + SIGKILL);
 }
 
-deploy::Process& Fleet::process(const std::string& program, const std::string& robots) {
+PatientProcess& Fleet::process(const std::string& program, const std::string& robots) {
   return *processes_.at(name_of(program, robots));
 }
 
 FleetStatus Fleet::watch(const Starter& starter, const std::function<bool(const FleetStatus&)>& wanted) {
-  const auto deadline = std::chrono::steady_clock::now() + 60s;
+  Patience patience{kPatience};
   FleetStatus newest;
-  while (std::chrono::steady_clock::now() < deadline) {
+  while (!patience.is_over()) {
     std::vector<std::string> line{"caravan", "ctl"};
     for (std::size_t i = 0; i + 1 < options_.size(); i += 2) {
       if (options_[i] != "--lease") line.insert(line.end(), {options_[i], options_[i + 1]});
@@ -70,7 +70,7 @@ FleetStatus Fleet::watch(const Starter& starter, const std::function<bool(const 
 }
 
 std::string Fleet::digest(std::chrono::milliseconds patience) {
-  const deploy::Process& world = process("world_server");
+  const PatientProcess& world = process("world_server");
   static const std::regex kFinished{R"(finished sim_s=.* digest=([0-9a-f]+))"};
   std::smatch found;
   std::string text;

@@ -13,8 +13,8 @@
 namespace caravan::test {
 
 /// Where and how to start one of our programs.
-using Starter = std::function<std::unique_ptr<deploy::Process>(std::vector<std::string> arguments,
-                                                               const std::string& log)>;
+using Starter = std::function<std::unique_ptr<PatientProcess>(std::vector<std::string> arguments,
+                                                              const std::string& log)>;
 
 /// What `caravan ctl status` says.
 struct FleetStatus {
@@ -39,7 +39,7 @@ class Fleet {
   void start(const Starter& starter, const std::string& program, const std::string& robots = "");
   /// kill -9. @param robots as it was started with
   void kill(const std::string& program, const std::string& robots = "");
-  [[nodiscard]] deploy::Process& process(const std::string& program, const std::string& robots = "");
+  [[nodiscard]] PatientProcess& process(const std::string& program, const std::string& robots = "");
 
   /// Asks until `wanted` holds or half a minute is over. @return the last answer
   FleetStatus watch(const Starter& starter, const std::function<bool(const FleetStatus&)>& wanted);
@@ -51,7 +51,7 @@ class Fleet {
  private:
   std::string scenario_;
   std::vector<std::string> options_;
-  std::map<std::string, std::unique_ptr<deploy::Process>> processes_;
+  std::map<std::string, std::unique_ptr<PatientProcess>> processes_;
 };
 
 inline bool is_whole(const FleetStatus& status, std::uint32_t robots) {

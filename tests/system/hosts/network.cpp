@@ -11,8 +11,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto kPatience = 30s;
-
 /// Finds the command where root and others have it.
 std::vector<std::string> command(std::vector<std::string> words) {
   words.insert(words.begin(), {"/usr/bin/env", "PATH=/usr/sbin:/usr/bin:/sbin:/bin"});
@@ -59,11 +57,11 @@ void Network::make_hosts(std::size_t hosts) {
   }
 }
 
-std::unique_ptr<deploy::Process> Network::hold(const Words& before, const std::string& set_up,
-                                               const std::string& log) {
+std::unique_ptr<PatientProcess> Network::hold(const Words& before, const std::string& set_up,
+                                              const std::string& log) {
   Words words = command(before);
   append(words, {"sh", "-c", "(" + set_up + ") && echo ready && exec sleep infinity"});
-  auto holder = std::make_unique<deploy::Process>(words, logs_ / (log + ".log"));
+  auto holder = std::make_unique<PatientProcess>(words, logs_ / (log + ".log"));
   (void)eventually([&] { return holder->wait(0ms) || holder->prints("ready\n", 0ms); }, kPatience);
   if (holder->prints("ready\n", 0ms)) return holder;
   refusal_ = holder->output();
@@ -71,7 +69,7 @@ std::unique_ptr<deploy::Process> Network::hold(const Words& before, const std::s
   return nullptr;
 }
 
-Network::Words Network::inside(const deploy::Process& holder, const Words& namespaces) const {
+Network::Words Network::inside(const PatientProcess& holder, const Words& namespaces) const {
   Words words{"nsenter", "--target", std::to_string(holder.pid())};
   if (as_user_) append(words, {"--user", "--preserve-credentials"});
   append(words, namespaces);
@@ -80,20 +78,20 @@ Network::Words Network::inside(const deploy::Process& holder, const Words& names
 }
 
 bool Network::run(Words words) {
-  deploy::Process process{command(std::move(words)), logs_ / "network.log"};
+  PatientProcess process{command(std::move(words)), logs_ / "network.log"};
   if (process.wait(kPatience) == 0) return true;
   refusal_ = process.output();
   return false;
 }
 
-std::unique_ptr<deploy::Process> Network::start(std::size_t host, std::vector<std::string> arguments,
-                                                const std::string& log) {
+std::unique_ptr<PatientProcess> Network::start(std::size_t host, std::vector<std::string> arguments,
+                                               const std::string& log) {
   if (arguments[0].find('/') == std::string::npos) {
     arguments[0] = std::string{CARAVAN_BIN_DIR} + "/" + arguments[0];
   }
   Words words = inside(*hosts_[host - 1], {"--net", "--mount", "--uts"});
   append(words, arguments);
-  return std::make_unique<deploy::Process>(command(std::move(words)), logs_ / (log + ".log"));
+  return std::make_unique<PatientProcess>(command(std::move(words)), logs_ / (log + ".log"));
 }
 
 void Network::cut(std::size_t host) {

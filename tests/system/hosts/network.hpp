@@ -25,8 +25,8 @@ class Network {
   [[nodiscard]] static std::string address(std::size_t host) { return "10.77.0." + std::to_string(host); }
   /// Starts one of our programs on a host.
   /// @param arguments  the first is the program's name in the folder of binaries, or its path
-  [[nodiscard]] std::unique_ptr<deploy::Process> start(std::size_t host, std::vector<std::string> arguments,
-                                                       const std::string& log);
+  [[nodiscard]] std::unique_ptr<PatientProcess> start(std::size_t host, std::vector<std::string> arguments,
+                                                      const std::string& log);
   /// Takes the host's link down, or up again.
   void cut(std::size_t host);
   void heal(std::size_t host);
@@ -35,9 +35,9 @@ class Network {
   using Words = std::vector<std::string>;
 
   /// A process that holds namespaces open; null, with a refusal, when it cannot.
-  std::unique_ptr<deploy::Process> hold(const Words& before, const std::string& set_up,
-                                        const std::string& log);
-  [[nodiscard]] Words inside(const deploy::Process& holder, const Words& namespaces) const;
+  std::unique_ptr<PatientProcess> hold(const Words& before, const std::string& set_up,
+                                       const std::string& log);
+  [[nodiscard]] Words inside(const PatientProcess& holder, const Words& namespaces) const;
   /// Runs a command to its end. @return whether it ended well
   bool run(Words words);
   void make_hosts(std::size_t hosts);
@@ -45,8 +45,8 @@ class Network {
   std::filesystem::path logs_;
   bool as_user_ = false;  // in a user namespace: the test is not run by root
   std::string refusal_;
-  std::unique_ptr<deploy::Process> middle_;  // holds the bridge
-  std::vector<std::unique_ptr<deploy::Process>> hosts_;
+  std::unique_ptr<PatientProcess> middle_;  // holds the bridge
+  std::vector<std::unique_ptr<PatientProcess>> hosts_;
 };
 
 }  // namespace caravan::test

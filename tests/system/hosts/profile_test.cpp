@@ -97,7 +97,7 @@ TEST_F(Profile, OfRos2NeighboursIsHeardByAForeignProgramOnTheNetwork) {
   Network network{2, folder_.path()};
   if (!network.refusal().empty()) GTEST_SKIP() << "no network namespaces here: " << network.refusal();
   const auto neighbour = network.start(2, {CARAVAN_NEIGHBOUR, "7"}, "neighbour");
-  std::vector<std::unique_ptr<deploy::Process>> ours;
+  std::vector<std::unique_ptr<PatientProcess>> ours;
   const std::vector<std::string> common{"--scenario", scenario("small.toml"), "--domain",
                                         "7",          "--transport",          profile("ros2.xml")};
   for (std::vector<std::string> line :

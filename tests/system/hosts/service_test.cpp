@@ -39,7 +39,7 @@ class Units : public ::testing::Test {
   /// @return the exit code
   int analyze(std::vector<std::string> words, std::string& said) {
     words.insert(words.begin(), kAnalyze);
-    deploy::Process process{words, folder_ / "analyze.log"};
+    PatientProcess process{words, folder_ / "analyze.log"};
     const auto code = process.wait(60s);
     said = process.output();
     return code.value_or(-1);
@@ -90,19 +90,19 @@ class Service : public ::testing::Test {
   }
   ~Service() override { close(socket_); }
   /// As the unit does.
-  [[nodiscard]] std::unique_ptr<deploy::Process> start(std::vector<std::string> line) const {
+  [[nodiscard]] std::unique_ptr<PatientProcess> start(std::vector<std::string> line) const {
     std::vector<std::string> words{"/usr/bin/env", "NOTIFY_SOCKET=" + (folder_ / "notify").string(),
                                    "WATCHDOG_USEC=500000"};
     line[0] = std::string{CARAVAN_BIN_DIR} + "/" + line[0];
     words.insert(words.end(), line.begin(), line.end());
     words.insert(words.end(),
                  {"--scenario", scenario("small.toml"), "--domain", std::to_string(lock_.domain())});
-    return std::make_unique<deploy::Process>(words, folder_ / "service.log");
+    return std::make_unique<PatientProcess>(words, folder_ / "service.log");
   }
-  /// The next message; empty when none comes within half a minute.
+  /// The next message; empty when none comes.
   [[nodiscard]] std::string next() const {
     pollfd one{socket_, POLLIN, 0};
-    if (poll(&one, 1, 30'000) != 1) return "";
+    if (!eventually([&] { return poll(&one, 1, 20) == 1; }, kPatience)) return "";
     std::array<char, 256> text{};
     const ssize_t size = recv(socket_, text.data(), text.size(), 0);
     return size < 0 ? "" : std::string{text.data(), static_cast<std::size_t>(size)};

@@ -15,8 +15,6 @@
 /// The test itself on the bus, in the place of one of the processes.
 namespace caravan::test {
 
-inline constexpr std::chrono::milliseconds kPatience{20'000};
-
 /// Collects the samples of one topic, on a participant of its own.
 template <typename PubSubType>
 class Collector {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <thread>
 #include <utility>
 
 #include "build_paths.hpp"
@@ -15,29 +14,28 @@
 
 namespace caravan::test {
 namespace fs = std::filesystem;
-namespace {
 
-constexpr std::chrono::seconds kEndPatience{10};
+std::optional<int> PatientProcess::wait(std::chrono::milliseconds patience) {
+  std::optional<int> code;
+  (void)eventually([&] { return (code = deploy::Process::wait({})).has_value(); }, patience);
+  return code;
+}
 
-}  // namespace
-
-bool pause_until_next_look(std::chrono::steady_clock::time_point deadline) {
-  if (std::chrono::steady_clock::now() >= deadline) return false;
-  std::this_thread::sleep_for(std::chrono::milliseconds{5});
-  return true;
+bool PatientProcess::prints(const std::string& text, std::chrono::milliseconds patience) const {
+  return eventually([&] { return deploy::Process::prints(text, {}); }, patience);
 }
 
 Process::Process(std::vector<std::string> arguments, fs::path log)
-    : deploy::Process{[&] {
-                        arguments[0] = std::string{CARAVAN_BIN_DIR} + "/" + arguments[0];
-                        return std::move(arguments);
-                      }(),
-                      std::move(log)} {}
+    : PatientProcess{[&] {
+                       arguments[0] = std::string{CARAVAN_BIN_DIR} + "/" + arguments[0];
+                       return std::move(arguments);
+                     }(),
+                     std::move(log)} {}
 
 Process::~Process() {
   signal(SIGTERM);
   signal(SIGCONT);  // of one that is suspended
-  (void)wait(kEndPatience);
+  (void)wait(std::chrono::seconds{10});
 }
 
 ScratchFolder::ScratchFolder() {

@@ -10,12 +10,21 @@
 #include <vector>
 
 #include "deploy/kit/process.hpp"
+#include "tests/support/patience.hpp"
 
 namespace caravan::test {
 
+/// As that of the kit, but waits longer on a busy machine.
+class PatientProcess : public deploy::Process {
+ public:
+  using deploy::Process::Process;
+  std::optional<int> wait(std::chrono::milliseconds patience);
+  [[nodiscard]] bool prints(const std::string& text, std::chrono::milliseconds patience) const;
+};
+
 /// One of our programs as a user starts it. Told to end when this goes out of scope, so that it leaves
 /// nothing behind; killed when it does not.
-class Process : public deploy::Process {
+class Process : public PatientProcess {
  public:
   /// @param arguments  the first is the program's name in the folder of binaries
   /// @param log        receives its output and errors
@@ -24,10 +33,6 @@ class Process : public deploy::Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 };
-
-/// Waits until `condition()` holds. @return false when it does not within `patience`
-template <typename Condition>
-[[nodiscard]] bool eventually(Condition condition, std::chrono::milliseconds patience);
 
 /// A folder for one test, removed when the test passed and kept, with its place printed, when it failed.
 class ScratchFolder {
@@ -54,18 +59,5 @@ void write_file(const std::filesystem::path& file, const std::string& text);
 /// The one of them that runs this program and has `more` in its command line, -1 when there is none.
 [[nodiscard]] pid_t pid_in(std::uint32_t domain, const std::string& program, const std::string& more = "");
 [[nodiscard]] std::filesystem::path scenario(const std::string& name);
-
-// implementation
-
-bool pause_until_next_look(std::chrono::steady_clock::time_point deadline);
-
-template <typename Condition>
-bool eventually(Condition condition, std::chrono::milliseconds patience) {
-  const auto deadline = std::chrono::steady_clock::now() + patience;
-  while (!condition()) {
-    if (!pause_until_next_look(deadline)) return condition();
-  }
-  return true;
-}
 
 }  // namespace caravan::test

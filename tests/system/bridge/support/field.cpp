@@ -37,8 +37,13 @@ void Field::kill_at_once(Process& process) {
 }
 
 std::unique_ptr<Process> Field::start(const std::string& program, std::vector<std::string> options) const {
-  std::vector<std::string> line{
-      program, "--scenario", scenario_file(), "--domain", std::to_string(lock_.domain()), "--lease", "1"};
+  std::vector<std::string> line{program,
+                                "--scenario",
+                                scenario_file(),
+                                "--domain",
+                                std::to_string(lock_.domain()),
+                                "--lease",
+                                std::to_string(short_lease_s())};
   line.insert(line.end(), options.begin(), options.end());
   return std::make_unique<Process>(line, folder_ / (std::to_string(++started_) + "_" + program + ".log"));
 }

@@ -51,7 +51,7 @@ class Field : public ::testing::Test {
 
   [[nodiscard]] std::filesystem::path scenario_file() const { return folder_ / "field.toml"; }
   [[nodiscard]] runtime::BusConfig bus() const {
-    return {.role = "test", .domain = lock_.domain(), .lease_s = 1.0};
+    return {.role = "test", .domain = lock_.domain(), .lease_s = short_lease_s()};
   }
 
   deploy::DomainLock lock_{std::nullopt};

@@ -7,10 +7,22 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 
 namespace caravan::test {
 
 using namespace std::chrono_literals;
+
+std::string no_terminals_because() {
+  const int near = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  const bool is_whole = near >= 0 && grantpt(near) == 0 && unlockpt(near) == 0 && ptsname(near) != nullptr;
+  const int far = is_whole ? open(ptsname(near), O_RDWR | O_NOCTTY | O_CLOEXEC) : -1;
+  std::string reason = far >= 0 ? "" : std::string{"is /dev/pts mounted? "} + std::strerror(errno);
+  close(far);
+  close(near);
+  return reason;
+}
 
 SerialCable::SerialCable(std::uint16_t robot, speed_t robots_rate)
     : robots_rate_{robots_rate},

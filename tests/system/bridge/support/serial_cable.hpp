@@ -7,11 +7,15 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "tests/system/bridge/support/socket.hpp"
 
 namespace caravan::test {
+
+/// Why this machine has no pseudo-terminals, in place of serial ports; empty when it has them.
+[[nodiscard]] std::string no_terminals_because();
 
 /// A serial line to an emulated robot: a terminal of the kernel with the robot's bytes behind it. Bytes that
 /// are sent at another baud rate than the robot's arrive as others, in both directions.
