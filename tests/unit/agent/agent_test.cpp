@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <limits>
+#include <set>
+#include <string>
 
 #include "robot_agent/core/angle.hpp"
 #include "robot_agent/core/path/path.hpp"
@@ -148,12 +150,38 @@ TEST(Agent, SaysItIsThereInEveryStepOnTheCommonChannel) {
   }
 }
 
-TEST(Agent, ReportsOnlyWhatChanged) {
-  const Drive recorded = drive(room(), 3000);
-  EXPECT_TRUE(recorded.outputs.front().reports);
+/// Whether a report says more than the one before it.
+bool is_news(const Report& before, const Report& now) {
+  return now.mode != before.mode || now.activity != before.activity || now.origin != before.origin ||
+         now.towards_destination != before.towards_destination || now.trips != before.trips ||
+         now.malformed_frames != before.malformed_frames || now.path_changed || !now.exchanges.empty() ||
+         !now.events.empty();
+}
+
+TEST(Agent, ReportsItsFirstStepAndThenTheStepsThatHaveNewsAndNoOthers) {
+  const Drive recorded = drive(room(), 12000);
   int reports = 0;
-  for (const Outputs& outputs : recorded.outputs) reports += outputs.reports ? 1 : 0;
-  EXPECT_LT(reports, 1000);
+  std::set<std::string> events;
+  for (std::size_t i = 0; i < recorded.outputs.size(); ++i) {
+    const Outputs& now = recorded.outputs[i];
+    ASSERT_EQ(now.reports, i == 0 || is_news(recorded.outputs[i - 1].report, now.report)) << "step " << i;
+    reports += now.reports ? 1 : 0;
+    for (const Event& event : now.report.events) events.insert(event.name);
+  }
+  EXPECT_LT(reports, 4000) << "most steps have none";
+  EXPECT_TRUE(events.contains("found_path")) << "the drive was too short to test anything";
+}
+
+TEST(Agent, ReportsWhatIsSentToItThatIsNotOfTheProtocolOnce) {
+  Agent agent{room()};
+  Sensors open;
+  open.sonar_range_m.fill(std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(agent.step({0ms, open, {}}).reports);
+  EXPECT_FALSE(agent.step({32ms, open, {}}).reports);
+  const Outputs hearing = agent.step({64ms, open, {Frame{kCommonChannel, {0xff}}}});
+  EXPECT_TRUE(hearing.reports);
+  EXPECT_EQ(hearing.report.malformed_frames, 1U);
+  EXPECT_FALSE(agent.step({96ms, open, {}}).reports);
 }
 
 TEST(Agent, FindsTheDestinationDrivesBackAndThenCarries) {
