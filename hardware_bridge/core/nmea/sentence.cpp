@@ -10,6 +10,8 @@ namespace caravan::bridge::nmea {
 namespace {
 
 constexpr double kKnot_mps = 1852.0 / 3600.0;
+constexpr double kMostKnots = 2000.0;
+constexpr double kMostHdop = 100.0;
 
 unsigned checksum(std::string_view text) {
   unsigned sum = 0;
@@ -50,13 +52,34 @@ std::optional<double> number(std::string_view field) {
   return value;
 }
 
+/// A number without fraction, from 0 to `most`.
+std::optional<unsigned> count(std::string_view field, unsigned most) {
+  unsigned value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (field.empty() || error != std::errc{} || end != field.data() + field.size() || value > most) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+/// An empty field is the default; one that is not a number in the range makes the sentence senseless.
+bool read_optional(std::string_view field, double& value, double least, double most) {
+  if (field.empty()) return true;
+  const auto given = number(field);
+  if (!given || *given < least || *given > most) return false;
+  value = *given;
+  return true;
+}
+
 /// hhmmss.sss
 std::optional<double> time_of_day(std::string_view field) {
   const auto value = number(field);
   if (!value || *value < 0.0 || *value >= 240000.0) return std::nullopt;
   const double hours = std::floor(*value / 10000.0);
   const double minutes = std::floor((*value - 10000.0 * hours) / 100.0);
-  return 3600.0 * hours + 60.0 * minutes + (*value - 10000.0 * hours - 100.0 * minutes);
+  const double rest_s = *value - 10000.0 * hours - 100.0 * minutes;
+  if (minutes >= 60.0 || rest_s >= 61.0) return std::nullopt;  // 60: a leap second
+  return 3600.0 * hours + 60.0 * minutes + rest_s;
 }
 
 /// (d)ddmm.mmmm and its hemisphere.
@@ -67,8 +90,9 @@ std::optional<double> angle(std::string_view field, std::string_view side, char 
     return std::nullopt;
   }
   const double degrees = std::floor(*value / 100.0);
-  const double result = degrees + (*value - 100.0 * degrees) / 60.0;
-  if (result > most_deg) return std::nullopt;
+  const double minutes = *value - 100.0 * degrees;
+  const double result = degrees + minutes / 60.0;
+  if (minutes >= 60.0 || result > most_deg) return std::nullopt;
   return side[0] == positive ? result : -result;
 }
 
@@ -84,17 +108,22 @@ std::optional<Place> place(const std::vector<std::string_view>& fields, std::siz
 
 std::optional<Gga> parse_gga(const std::vector<std::string_view>& fields) {
   if (fields.size() < 9) return std::nullopt;
-  const auto quality = number(fields[6]);
-  if (!quality || *quality < 0.0 || *quality > 9.0) return std::nullopt;
+  const auto quality = count(fields[6], 9);
+  if (!quality) return std::nullopt;
   Gga gga;
-  gga.time_of_day_s = time_of_day(fields[1]).value_or(0.0);
-  gga.quality = static_cast<unsigned>(*quality);
-  const double satellites = number(fields[7]).value_or(0.0);
-  gga.satellites = satellites >= 0.0 && satellites < 1000.0 ? static_cast<unsigned>(satellites) : 0;
-  gga.hdop = number(fields[8]).value_or(0.0);
+  gga.quality = *quality;
+  const auto time = time_of_day(fields[1]);
+  if (gga.quality == 0) {
+    gga.time_of_day_s = time.value_or(0.0);
+    return gga;
+  }
+  const auto satellites = count(fields[7], 99);
   const auto where = place(fields, 2);
-  if (gga.quality == 0) return gga;
-  if (!where) return std::nullopt;
+  if (!time || !where || !satellites || !read_optional(fields[8], gga.hdop, 0.0, kMostHdop)) {
+    return std::nullopt;
+  }
+  gga.time_of_day_s = *time;
+  gga.satellites = *satellites;
   gga.latitude_deg = where->latitude_deg;
   gga.longitude_deg = where->longitude_deg;
   return gga;
@@ -103,15 +132,21 @@ std::optional<Gga> parse_gga(const std::vector<std::string_view>& fields) {
 std::optional<Rmc> parse_rmc(const std::vector<std::string_view>& fields) {
   if (fields.size() < 10) return std::nullopt;
   Rmc rmc;
-  rmc.time_of_day_s = time_of_day(fields[1]).value_or(0.0);
+  const auto time = time_of_day(fields[1]);
+  rmc.time_of_day_s = time.value_or(0.0);
   rmc.valid = fields[2] == "A";
-  const auto where = place(fields, 3);
   if (!rmc.valid) return rmc;
-  if (!where) return std::nullopt;
+  const auto where = place(fields, 3);
+  double knots = 0.0;
+  double course_deg = -1.0;
+  if (!time || !where || !read_optional(fields[7], knots, 0.0, kMostKnots) ||
+      !read_optional(fields[8], course_deg, 0.0, 360.0)) {
+    return std::nullopt;
+  }
   rmc.latitude_deg = where->latitude_deg;
   rmc.longitude_deg = where->longitude_deg;
-  rmc.speed_mps = kKnot_mps * number(fields[7]).value_or(0.0);
-  rmc.course_deg = number(fields[8]);
+  rmc.speed_mps = kKnot_mps * knots;
+  if (course_deg >= 0.0) rmc.course_deg = course_deg;
   return rmc;
 }
 

@@ -19,9 +19,9 @@ struct Gga {
   double time_of_day_s = 0.0;  ///< UTC
   double latitude_deg = 0.0;   ///< north positive
   double longitude_deg = 0.0;  ///< east positive
-  unsigned quality = 0;        ///< 0: no fix
+  unsigned quality = 0;        ///< 0: no fix; 6 to 8: estimated, typed in, simulated
   unsigned satellites = 0;
-  double hdop = 0.0;
+  double hdop = 99.9;  ///< as receivers say it that do not know
 };
 
 /// RMC: recommended minimum data.
@@ -52,7 +52,8 @@ class SentenceFinder {
 };
 
 /// @param sentence  as from SentenceFinder
-/// @return empty when it says GGA or RMC and is not whole. A GGA without position has quality 0.
+/// @return empty when it says GGA or RMC and is not whole, or a field is out of its range. A GGA without
+/// position has quality 0.
 [[nodiscard]] std::optional<std::variant<Gga, Rmc, Other>> parse(std::string_view sentence);
 
 /// With "$GP", checksum and line end.

@@ -6,7 +6,6 @@ namespace {
 
 constexpr double kWayForYaw_m = 0.5;
 constexpr double kYawTrust = 0.5;  // of a direction between fixes
-constexpr double kLostAt_m = 5.0;  // farther from a fix than this, the position begins anew there
 
 Point operator-(const Point& a, const Point& b) { return {a.x_m - b.x_m, a.y_m - b.y_m}; }
 double length(const Point& p) { return std::hypot(p.x_m, p.y_m); }
@@ -42,10 +41,16 @@ void PoseFusion::read_compass(double yaw_rad) {
   yaw_known_ = true;
 }
 
-void PoseFusion::fix(const Point& antenna_W, Time now) {
+Point PoseFusion::antenna_W() const {
+  const Point from_base = to_W(config_.antenna_B);
+  return {pose_.p_WB.x_m + from_base.x_m, pose_.p_WB.y_m + from_base.y_m};
+}
+
+void PoseFusion::fix(const Point& antenna_W, Time now, bool anew) {
   const Point base_W = antenna_W - to_W(config_.antenna_B);
   const Point error = base_W - pose_.p_WB;
-  const double share = placed_ && length(error) < kLostAt_m ? config_.gps_trust : 1.0;
+  const double share = placed_ && !anew ? config_.gps_trust : 1.0;
+  if (anew) anchor_.reset();
   pose_.p_WB.x_m += share * error.x_m;
   pose_.p_WB.y_m += share * error.y_m;
   placed_ = true;

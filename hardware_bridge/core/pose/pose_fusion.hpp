@@ -31,8 +31,11 @@ class PoseFusion {
   void move(const arcos::Moved& moved);
   /// @param yaw_rad  in W
   void read_compass(double yaw_rad);
-  /// @param antenna_W  where the GPS says that its antenna is
-  void fix(const Point& antenna_W, Time now);
+  /// @param antenna_W  where the GPS says that its antenna is; believed (see FixGate)
+  /// @param anew       the position begins anew there
+  void fix(const Point& antenna_W, Time now, bool anew = false);
+  /// Where the antenna is, as far as is known without the next fix.
+  [[nodiscard]] Point antenna_W() const;
   /// The receiver says that it has no fix.
   void lose_fix() { last_fix_.reset(); }
 
