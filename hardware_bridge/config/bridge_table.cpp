@@ -45,6 +45,8 @@ BridgeTable read_bridge(const runtime::TomlDocument& scenario) {
   table.read("gps_trust", values.gps_trust, kShare);
   table.read("compass_trust", values.compass_trust, kShare);
   table.read("gps_timeout_s", values.gps_timeout_s, kTimeout_s);
+  table.read("gps_jump_m", values.gps_jump_m, {0.1, 100.0});
+  table.read("position_count_m", values.position_count_m, {0.0, 0.1});
   table.read("command_timeout_s", values.command_timeout_s, kTimeout_s);
   table.read("silence_s", values.silence_s, {0.15, 1.9});
   table.read("acceleration_mps2", values.acceleration_mps2, {0.05, 10.0});
@@ -61,11 +63,14 @@ BridgeConfig load_bridge_config(const runtime::TomlDocument& scenario, bool has_
   BridgeConfig config;
   config.link.acceleration_mps2 = table.acceleration_mps2;
   config.link.speed_limit_mps = robots.wheel_limit_mps;
+  config.link.track_m = robots.track_m;
   config.link.silence = to_time(table.silence_s);
   config.link.slowest_watchdog = to_time(table.command_timeout_s);
   config.fusion = fusion_of(table, has_gps);
   config.arena = place_of(table);
+  config.gps_jump_m = table.gps_jump_m;
   config.compass_offset_rad = table.compass_offset_rad;
+  if (table.position_count_m > 0.0) config.position_count_m = table.position_count_m;
   config.command_timeout = to_time(table.command_timeout_s);
   config.low_battery_v = table.low_battery_v;
   config.has_gripper = table.has_gripper;

@@ -20,9 +20,11 @@ struct BridgeTable {
   double start_yaw_rad = 0.0;         ///< which way; used without compass
   double gps_trust = 0.3;
   double compass_trust = 0.1;
-  double gps_timeout_s = 0.4;  ///< without a fix for so long the wheels stop
-  double command_timeout_s = 0.6;
-  double silence_s = 0.4;  ///< without a word from the robot for so long it is told to stop
+  double gps_timeout_s = 0.4;      ///< without a fix for so long the wheels stop
+  double gps_jump_m = 5.0;         ///< a fix farther off than this is refused until several agree
+  double command_timeout_s = 0.6;  ///< without a command for so long the wheels are at rest
+  double position_count_m = 0.0;   ///< a count of the robot's odometry; 0: by its subtype
+  double silence_s = 0.4;          ///< without a word from the robot for so long it is told to stop
   double acceleration_mps2 = 2.0;
   double low_battery_v = 11.5;
   bool has_gripper = true;  ///< false: imagined by position

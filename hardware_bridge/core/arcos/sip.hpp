@@ -51,9 +51,9 @@ inline constexpr std::uint16_t kStopPressed = 1U << 5U;  ///< in flags: the emer
 inline constexpr std::uint16_t kStopStalls = 1U << 6U;   ///< in flags: it is shown as a stall, too
 inline constexpr std::uint16_t kLeftStall = 1U << 0U;    ///< in stall_and_bumpers
 inline constexpr std::uint16_t kRightStall = 1U << 8U;
-inline constexpr unsigned kFrontBumperShift =
-    1;  ///< in stall_and_bumpers: a bit for each segment that is pressed
-inline constexpr unsigned kRearBumperShift = 9;
+/// In stall_and_bumpers: a bit for each segment that is pressed. The rear ones are in the low byte.
+inline constexpr unsigned kFrontBumperShift = 9;
+inline constexpr unsigned kRearBumperShift = 1;
 inline constexpr unsigned kMostBumpers = 7;  ///< front, and as many rear
 
 /// In digital_in, for a gripper on the user I/O port; a paddle's bit is 0 while something presses on it.

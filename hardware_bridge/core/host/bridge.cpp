@@ -14,10 +14,12 @@ using Weight = Notice::Weight;
 
 namespace {
 
-constexpr Time kStopAgain = 500ms;
-constexpr Time kTellWaiting = 5s;
-constexpr Time kTellAgain = 60s;
 constexpr double kCompassUnit_rad = 2.0 * std::numbers::pi / 180.0;
+constexpr std::uint8_t kCompassUnits = 180;
+// No Pioneer 3-DX is quicker.
+constexpr double kTopSpeed_mps = 2.2;
+constexpr double kTopTurn_radps = 500.0 / 180.0 * std::numbers::pi;
+constexpr Time kJitter = 300ms;  // between two SIPs
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 std::variant<ArcosGripper, ImaginedGripper> gripper_of(const BridgeConfig& config) {
@@ -31,6 +33,7 @@ Bridge::Bridge(const BridgeConfig& config)
     : config_{config},
       link_{config.link},
       watcher_{config.low_battery_v},
+      gps_{config.arena, config.gps_jump_m},
       projection_{config.arena},
       fusion_{config.fusion},
       gripper_{gripper_of(config)},
@@ -38,7 +41,9 @@ Bridge::Bridge(const BridgeConfig& config)
 
 void Bridge::robot_up(Time now) {
   odometry_.reset();
+  followed_.reset();
   sonars_.forget();
+  sonar_watch_.restart();
   if (auto* gripper = std::get_if<ArcosGripper>(&gripper_)) gripper->restart();
   link_.up(now);
 }
@@ -53,17 +58,25 @@ void Bridge::robot_says(std::span<const std::uint8_t> bytes, Time now) {
   tick(now);
 }
 
-void Bridge::on_sip(const arcos::Sip& sip, Time now) {
-  if (!odometry_) {
-    const auto factors = arcos::factors_of(link_.names()->subtype);
-    if (!factors) {
-      note(Weight::kWarning,
-           "unknown robot subtype " + link_.names()->subtype + ": taking its counts for millimetres");
-    }
-    odometry_.emplace(factors.value_or(arcos::Factors{}));
+bool Bridge::know_scale() {
+  if (odometry_) return true;
+  const std::string& subtype = link_.names()->subtype;
+  const auto factors = config_.position_count_m ? arcos::Factors{.position_m = *config_.position_count_m}
+                                                : arcos::factors_of(subtype);
+  if (!factors) {
+    effects_.unfit = "robot subtype " + subtype +
+                     ": the scale of its odometry is not known; set bridge.position_count_m in the scenario";
+    return false;
   }
+  odometry_.emplace(*factors);
+  return true;
+}
+
+void Bridge::on_sip(const arcos::Sip& sip, Time now) {
+  if (!know_scale()) return;
   for (Notice& notice : watcher_.watch(sip)) effects_.notices.push_back(std::move(notice));
-  if (watcher_.take_stop_released()) link_.enable_motors();
+  for (Notice& notice : sonar_watch_.watch(sip.sonars, now)) effects_.notices.push_back(std::move(notice));
+  see_stop(sip);
   follow(sip, now);
   if (auto* gripper = std::get_if<ArcosGripper>(&gripper_)) {
     if (const auto again = gripper->see(sip, now)) link_.send(*again);
@@ -71,15 +84,50 @@ void Bridge::on_sip(const arcos::Sip& sip, Time now) {
   publish(now);
 }
 
+void Bridge::see_stop(const arcos::Sip& sip) {
+  const bool motors_on = (sip.flags & arcos::kMotorsOn) != 0;
+  switch (latch_.see((sip.flags & arcos::kStopPressed) != 0, motors_on)) {
+    case StopLatch::Change::kPressed:
+      note(Weight::kWarning, "emergency stop pressed: wheels stopped");
+      break;
+    case StopLatch::Change::kReleased:
+      note(Weight::kWarning,
+           "emergency stop released: the robot stands until somebody presses its MOTORS button");
+      break;
+    case StopLatch::Change::kRestarted:
+      note(Weight::kInfo, "restarted at the MOTORS button after the emergency stop");
+      break;
+    case StopLatch::Change::kNone:
+      break;
+  }
+  link_.keep_motors_off(latch_.is_on());
+  if (latch_.wants_motors_off() && motors_on) link_.send(arcos::encode(arcos::Order::kEnable, 0));
+}
+
+arcos::Moved Bridge::plausible(const arcos::Moved& moved, Time now) {
+  const double passed_s = seconds(kJitter + (followed_ ? now - *followed_ : Time{0}));
+  followed_ = now;
+  if (std::abs(moved.ahead_m) <= kTopSpeed_mps * passed_s &&
+      std::abs(moved.turned_rad) <= kTopTurn_radps * passed_s) {
+    return moved;
+  }
+  note(Weight::kWarning, "odometry jumped by " + std::to_string(std::lround(100.0 * moved.ahead_m)) +
+                             " cm from one packet to the next: ignored");
+  return {};
+}
+
 void Bridge::follow(const arcos::Sip& sip, Time now) {
-  const arcos::Moved moved = odometry_->follow(sip);
+  const arcos::Moved moved = plausible(odometry_->follow(sip), now);
   const double half_turn_m = 0.5 * moved.turned_rad * config_.track_m;
   left_wheel_rad_ += (moved.ahead_m - half_turn_m) / config_.wheel_radius_m;
   right_wheel_rad_ += (moved.ahead_m + half_turn_m) / config_.wheel_radius_m;
   fusion_.move(moved);
-  if (config_.fusion.has_compass) {
+  if (config_.fusion.has_compass && sip.compass < kCompassUnits) {
     fusion_.read_compass(
         projection_.yaw_of_bearing(kCompassUnit_rad * sip.compass + config_.compass_offset_rad));
+  }
+  if (config_.fusion.has_compass && sip.compass >= kCompassUnits) {
+    note(Weight::kWarning, "compass reading out of its range: ignored");
   }
   sonars_.hear(sip.sonars, now);
 }
@@ -100,25 +148,15 @@ void Bridge::publish(Time now) {
 }
 
 void Bridge::gps_says(std::span<const std::uint8_t> bytes, Time now) {
-  for (const std::string& sentence : sentences_.feed(bytes)) {
-    const auto parsed = nmea::parse(sentence);
-    if (!parsed) continue;
-    std::visit(pure::Overload{[&](const nmea::Gga& gga) {
-                                if (gga.quality == 0) return fusion_.lose_fix();
-                                on_fix(gga.latitude_deg, gga.longitude_deg, now);
+  for (const GpsSource::News& news : gps_.feed(bytes, fusion_.antenna_W(), now)) {
+    std::visit(pure::Overload{[&](const GpsSource::Fix& fix) {
+                                if (config_.fusion.has_gps) fusion_.fix(fix.antenna_W, now, fix.anew);
                               },
-                              [&](const nmea::Rmc& rmc) {
-                                if (!rmc.valid) fusion_.lose_fix();  // its place is GGA's
-                              },
-                              [](const nmea::Other&) {}},
-               *parsed);
+                              [&](const GpsSource::Lost&) { fusion_.lose_fix(); }},
+               news);
   }
+  for (Notice& notice : gps_.take_notices()) effects_.notices.push_back(std::move(notice));
   tick(now);
-}
-
-void Bridge::on_fix(double latitude_deg, double longitude_deg, Time now) {
-  if (!config_.fusion.has_gps) return;
-  fusion_.fix(projection_.to_arena(latitude_deg, longitude_deg), now);
 }
 
 Wish Bridge::safe(const Wish& wish) {
@@ -162,66 +200,6 @@ void Bridge::grip(bool closed, Time now) {
 void Bridge::forget_wish(Time now) {
   wished_.reset();
   tick(now);
-}
-
-bool Bridge::may_move(Time now) const {
-  return wished_ && now - *wished_ <= config_.command_timeout && link_.is_heard(now) &&
-         fusion_.pose(now).has_value();
-}
-
-void Bridge::tick(Time now) {
-  link_.tick(now);
-  const bool heard = link_.is_heard(now);
-  if (was_heard_ && !heard) note(Weight::kWarning, "robot silent: wheels told to stop");
-  was_heard_ = heard;
-  tell_position(now);
-  keep_still(now);
-  tell_what_is_awaited(now);
-}
-
-void Bridge::keep_still(Time now) {
-  const bool may = may_move(now);
-  if (moved_ && !may && wished_ && now - *wished_ > config_.command_timeout) {
-    note(Weight::kWarning,
-         "no command for " + std::to_string(config_.command_timeout / 1ms) + " ms: wheels stopped");
-  }
-  if (!may && moved_) link_.brake();
-  if (!may && now >= stop_due_) link_.stop();
-  if (!may && (moved_ || now >= stop_due_)) stop_due_ = now + kStopAgain;
-  moved_ = may;
-}
-
-void Bridge::tell_position(Time now) {
-  const bool has = fusion_.has_position(now);
-  if (has == had_position_) return;
-  had_position_ = has;
-  note(has ? Weight::kInfo : Weight::kWarning,
-       has ? "position known" : "position lost (GPS): wheels stopped");
-}
-
-void Bridge::tell_what_is_awaited(Time now) {
-  if (moved_ || !tell_due_) tell_due_ = now + kTellWaiting;
-  if (now < *tell_due_) return;
-  tell_due_ = now + kTellAgain;
-  std::string awaited;
-  const auto await = [&](bool is_here, const char* what) {
-    if (!is_here) awaited += (awaited.empty() ? "" : ", ") + std::string{what};
-  };
-  await(link_.is_heard(now), "the robot");
-  await(fusion_.pose(now).has_value(), "its position");
-  await(wished_ && now - *wished_ <= config_.command_timeout, "the agent's commands");
-  note(Weight::kInfo, "wheels at rest, waiting for: " + awaited);
-}
-
-Time Bridge::next_deadline(Time now) const {
-  Time next = now + kStopAgain;
-  if (const auto link = link_.next_deadline()) next = std::min(next, *link);
-  if (moved_) {
-    next = std::min(next, *wished_ + config_.command_timeout + 1ns);
-    next = std::min(next, fusion_.loses_position_at(now) + 1ns);
-  }
-  if (was_heard_) next = std::min(next, link_.silent_at());
-  return next;
 }
 
 Bridge::Effects Bridge::take_effects() {

@@ -3,15 +3,18 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "hardware_bridge/core/arcos/odometry.hpp"
 #include "hardware_bridge/core/arcos/sonar_memory.hpp"
+#include "hardware_bridge/core/host/gps_source.hpp"
 #include "hardware_bridge/core/host/gripper.hpp"
 #include "hardware_bridge/core/host/robot_link.hpp"
+#include "hardware_bridge/core/host/sonar_watch.hpp"
+#include "hardware_bridge/core/host/stop_latch.hpp"
 #include "hardware_bridge/core/host/watcher.hpp"
-#include "hardware_bridge/core/nmea/sentence.hpp"
 #include "hardware_bridge/core/pose/arena_projection.hpp"
 #include "hardware_bridge/core/pose/pose_fusion.hpp"
 
@@ -21,8 +24,10 @@ struct BridgeConfig {
   LinkConfig link;
   FusionConfig fusion;
   ArenaPlace arena;
-  double compass_offset_rad = 0.0;                        ///< added to what the compass says, clockwise
-  Time command_timeout = std::chrono::milliseconds{600};  ///< without a command for so long, wheels at zero
+  double gps_jump_m = 5.0;          ///< a fix farther than this from where it is expected is an outlier
+  double compass_offset_rad = 0.0;  ///< added to what the compass says, clockwise
+  Time command_timeout = std::chrono::milliseconds{600};  ///< without a command for so long, wheels at rest
+  std::optional<double> position_count_m;                 ///< of the odometry; none: by the robot's subtype
   double low_battery_v = 11.5;
   bool has_gripper = true;  ///< false: it is imagined by position
   Point source_W;           ///< for an imagined gripper
@@ -55,8 +60,9 @@ struct Wish {
 /// The whole bridge between an agent and a Pioneer, without ports, topics and clocks: bytes and wishes in,
 /// bytes and frames out.
 ///
-/// Wheels turn only while a wish is younger than the command timeout, the robot is heard and its place is
-/// known; when one of these ends they are told to stop at once, and again every half second.
+/// Wheels turn only while a wish is younger than the command timeout (less the time to brake), the robot is
+/// heard and receives, its place is known and no emergency stop holds it; when one of these ends they are
+/// told to stop at once, and again every half second.
 class Bridge {
  public:
   explicit Bridge(const BridgeConfig& config);
@@ -65,7 +71,7 @@ class Bridge {
   void robot_down(Time now);
   void robot_says(std::span<const std::uint8_t> bytes, Time now);
   void gps_says(std::span<const std::uint8_t> bytes, Time now);
-  void gps_down() { sentences_.restart(); }
+  void gps_down() { gps_.restart(); }
   /// @param answers  stamp of the frame that it answers; older than the command timeout, it is ignored
   void wish(const Wish& wish, Time answers, Time now);
   /// The agent has gone.
@@ -81,6 +87,7 @@ class Bridge {
     std::vector<Frame> frames;
     std::vector<Notice> notices;
     bool reopen_robot = false;  ///< close the line and open it again, with the next baud rate if it has one
+    std::string unfit;          ///< why this robot cannot be driven at all; empty: it can
   };
   /// What has come of the calls since the last time.
   [[nodiscard]] Effects take_effects();
@@ -93,25 +100,31 @@ class Bridge {
  private:
   void on_sip(const arcos::Sip& sip, Time now);
   void follow(const arcos::Sip& sip, Time now);
-  void on_fix(double latitude_deg, double longitude_deg, Time now);
+  [[nodiscard]] bool know_scale();
+  [[nodiscard]] arcos::Moved plausible(const arcos::Moved& moved, Time now);
+  void see_stop(const arcos::Sip& sip);
   void publish(Time now);
   void grip(bool closed, Time now);
   [[nodiscard]] Wish safe(const Wish& wish);
   void note(Notice::Weight weight, std::string text) {
     effects_.notices.push_back({weight, std::move(text)});
   }
+  [[nodiscard]] bool is_wished(Time now) const;
   void keep_still(Time now);
+  void tell_safety(Time now);
   void tell_position(Time now);
   void tell_what_is_awaited(Time now);
 
   BridgeConfig config_;
   RobotLink link_;
   Watcher watcher_;
+  SonarWatch sonar_watch_;
+  StopLatch latch_;
+  GpsSource gps_;
   ArenaProjection projection_;
   PoseFusion fusion_;
   arcos::SonarMemory sonars_;
   std::optional<arcos::Odometry> odometry_;
-  nmea::SentenceFinder sentences_;
   std::variant<ArcosGripper, ImaginedGripper> gripper_;
   double left_wheel_rad_ = 0.0;
   double right_wheel_rad_ = 0.0;
@@ -122,6 +135,8 @@ class Bridge {
   Time stop_due_{0};
   std::optional<Time> tell_due_;  // why it stands; none: it did not look yet
   bool was_heard_ = false;
+  bool was_safe_ = true;
+  std::optional<Time> followed_;  // the SIP before
   bool had_position_ = false;
   std::uint64_t refused_ = 0;
   std::uint64_t clamped_ = 0;

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <cstdio>
 #include <string>
+
+#include "hardware_bridge/core/values.hpp"
 
 namespace caravan::bridge {
 
@@ -12,5 +16,13 @@ struct Notice {
   Weight weight = Weight::kInfo;
   std::string text;
 };
+
+/// "0.4 s", for notices.
+[[nodiscard]] inline std::string in_seconds(Time time) {
+  std::array<char, 32> text{};
+  const bool tenths = time % std::chrono::milliseconds{100} == Time{0} || time >= std::chrono::seconds{1};
+  std::snprintf(text.data(), text.size(), tenths ? "%.1f s" : "%.2f s", seconds(time));
+  return text.data();
+}
 
 }  // namespace caravan::bridge

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hardware_bridge/core/host/robot_link.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "runtime/pure/overload.hpp"
@@ -18,11 +21,33 @@ constexpr unsigned kSyncAttempts = 3;
 constexpr Time kOpenPatience = 1s;
 constexpr Time kPulsePeriod = 500ms;
 constexpr Time kGiveUpAfter = 2s;
+constexpr Time kCheckPeriod = 500ms;  // CONFIG is asked
+constexpr unsigned kCheckAttempts = 6;
+constexpr unsigned kDisagreements = 3;
+constexpr Time kAskPeriod = 1s;  // the same, later
+constexpr Time kAnswerPatience = 2500ms;
+constexpr Time kLostAfter = 800ms;
+constexpr Time kUsualCycle = 100ms;
 constexpr std::uint64_t kGarbageWorthTelling = 64;
 
 constexpr std::array kSyncs{Order::kPulse, Order::kOpen, Order::kClose};
 
 int in_mm(double metres) { return static_cast<int>(std::lround(1000.0 * metres)); }
+
+/// Between two SIPs. Some firmware counts in units of 10 ms.
+Time cycle_of(const arcos::Settings& settings) {
+  const Time cycle = std::chrono::milliseconds{settings.sip_period_ms};
+  return cycle >= 20ms ? cycle : kUsualCycle;
+}
+
+bool same_name(const std::string& a, const std::string& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](unsigned char c, unsigned char d) { return std::tolower(c) == std::tolower(d); });
+}
+
+bool same_kind(const arcos::Names& names, const arcos::Settings& settings) {
+  return same_name(names.type, settings.type) && same_name(names.subtype, settings.subtype);
+}
 
 }  // namespace
 
@@ -60,18 +85,24 @@ std::vector<arcos::Sip> RobotLink::receive(std::span<const std::uint8_t> bytes, 
       } else {
         hear_sync(*syncing, data, now);
       }
-    } else if (sip && std::holds_alternative<Opening>(state_)) {
-      state_ = Running{now, now + kPulsePeriod};
-      notices_.push_back({Notice::Weight::kInfo,
-                          "robot connected: " + names_->name + ", " + names_->type + " " + names_->subtype});
-      sips.push_back(std::move(*sip));
     } else if (const auto settings = arcos::decode_settings(data)) {
-      hear_settings(*settings);
+      hear_settings(*settings, now);
+    } else if (sip && std::holds_alternative<Opening>(state_)) {
+      state_ = Checking{now, now + kCheckPeriod};
+    } else if (auto* checking = std::get_if<Checking>(&state_); checking != nullptr && sip) {
+      checking->heard = now;
     } else if (auto* running = std::get_if<Running>(&state_); running != nullptr && sip) {
       running->heard = now;
+      running->lag.arrived(now, cycle_);
       sips.push_back(std::move(*sip));
     }
   }
+  if (auto* running = std::get_if<Running>(&state_)) {
+    for (; destroyed_ < packets_.bad_checksums(); ++destroyed_) running->lag.destroyed(cycle_);
+    const Time lag = running->lag.lag();
+    running->behind = lag >= config_.silence || (running->behind && 2 * lag >= config_.silence);
+  }
+  destroyed_ = packets_.bad_checksums();
   if (packets_.stray_bytes() >= garbage_told_ + kGarbageWorthTelling && is_running()) {
     notices_.push_back(
         {Notice::Weight::kWarning,
@@ -102,13 +133,61 @@ void RobotLink::open(Time now) {
   put(arcos::encode(Order::kSetAcceleration, acceleration));
   put(arcos::encode(Order::kSetAcceleration, -acceleration));
   put(arcos::encode(Order::kSetMaxSpeed, in_mm(config_.speed_limit_mps)));
-  put(arcos::encode(Order::kEnable, 1));
+  // The wheels' limits as those of turning on the spot: without them a robot keeps its slow ones as
+  // delivered.
+  const double to_degrees = 2.0 / config_.track_m * 180.0 / std::numbers::pi;
+  const int turn_acceleration = static_cast<int>(std::lround(to_degrees * config_.acceleration_mps2));
+  put(arcos::encode(Order::kSetTurnAcceleration, turn_acceleration));
+  put(arcos::encode(Order::kSetTurnAcceleration, -turn_acceleration));
+  put(arcos::encode(Order::kSetMaxTurnRate,
+                    static_cast<int>(std::lround(to_degrees * config_.speed_limit_mps))));
+  if (!motors_off_) put(arcos::encode(Order::kEnable, 1));
   put(arcos::encode(Order::kSonar, 1));
   put(arcos::encode(Order::kConfig, 1));
   state_ = Opening{now + kOpenPatience};
 }
 
-void RobotLink::hear_settings(const arcos::Settings& settings) {
+void RobotLink::hear_settings(const arcos::Settings& settings, Time now) {
+  if (std::holds_alternative<Opening>(state_) || std::holds_alternative<Checking>(state_)) {
+    check(settings, now);
+  } else if (auto* running = std::get_if<Running>(&state_)) {
+    running->answers = true;
+    running->unanswered.reset();
+    if (running->asked.empty()) return;
+    running->lag.answered(now - running->asked.front());  // or that of a later question: then it is fresher
+    running->asked.pop_front();
+  }
+}
+
+void RobotLink::check(const arcos::Settings& settings, Time now) {
+  const bool agree = same_kind(*names_, settings) && same_name(names_->name, settings.name);
+  // A robot that says the same again and again is not garbled.
+  const bool settled = ++disagreements_ >= kDisagreements && same_kind(*names_, settings);
+  if (!agree) {
+    note(Notice::Weight::kWarning, "the robot is " + names_->name + ", " + names_->type + " " +
+                                       names_->subtype + " by SYNC2, but " + settings.name + ", " +
+                                       settings.type + " " + settings.subtype +
+                                       " by CONFIG: " + (settled ? "going on" : "asking again"));
+  }
+  if (!agree && !settled) {
+    put(Order::kClose);
+    state_ = Synchronising{0, 0, now + kSyncPatience};
+    return;
+  }
+  cycle_ = cycle_of(settings);
+  tell_of_watchdog(settings);
+  run(now, true);
+}
+
+void RobotLink::run(Time now, bool answers) {
+  disagreements_ = 0;
+  state_ =
+      Running{.heard = now, .pulse_due = now + kPulsePeriod, .ask_due = now + kAskPeriod, .answers = answers};
+  note(Notice::Weight::kInfo,
+       "robot connected: " + names_->name + ", " + names_->type + " " + names_->subtype);
+}
+
+void RobotLink::tell_of_watchdog(const arcos::Settings& settings) {
   const Time watchdog = std::chrono::milliseconds{settings.watchdog_ms};
   if (settings.watchdog_ms != 0 && watchdog <= config_.slowest_watchdog) return;
   const std::string stop = settings.watchdog_ms == 0 ? "its own watchdog is off: it never stops"
@@ -128,24 +207,66 @@ void RobotLink::tick(Time now) {
     }
   } else if (const auto* opening = std::get_if<Opening>(&state_)) {
     if (now >= opening->deadline) synchronise(now, 0);
+  } else if (auto* checking = std::get_if<Checking>(&state_)) {
+    tick(*checking, now);
   } else if (auto* running = std::get_if<Running>(&state_)) {
-    if (now >= running->heard + kGiveUpAfter) {
-      line_anew("robot silent for 2 s: connecting anew");
-    } else if (now >= running->pulse_due) {
-      put(Order::kPulse);
-      running->pulse_due = now + kPulsePeriod;
-    }
+    tick(*running, now);
   }
+}
+
+void RobotLink::tick(Checking& state, Time now) {
+  if (now >= state.heard + kGiveUpAfter) return line_anew("robot silent for 2 s: connecting anew");
+  if (now < state.ask_due) return;
+  if (state.asked + 1 >= kCheckAttempts) {
+    note(Notice::Weight::kWarning,
+         "the robot does not answer CONFIG: not checked are its name, its watchdog and that it receives");
+    return run(now, false);
+  }
+  put(arcos::encode(Order::kConfig, 1));
+  ++state.asked;
+  state.ask_due = now + kCheckPeriod;
+}
+
+void RobotLink::tick(Running& state, Time now) {
+  if (now >= state.heard + kGiveUpAfter) return line_anew("robot silent for 2 s: connecting anew");
+  if (now >= state.pulse_due) {
+    put(Order::kPulse);
+    state.pulse_due = now + kPulsePeriod;
+  }
+  // Nothing is on its way for longer than the line is late: answers that have not come then were lost.
+  while (!state.asked.empty() && now - state.asked.front() > state.lag.lag() + kLostAfter)
+    state.asked.pop_front();
+  const bool in_doubt = 2 * state.lag.lag() >= config_.silence && state.asked.empty();
+  if (now < state.ask_due && !in_doubt) return;
+  put(arcos::encode(Order::kConfig, 1));
+  if (state.answers && !state.unanswered) state.unanswered = now;
+  state.asked.push_back(now);
+  state.ask_due = now + kAskPeriod;
+}
+
+std::string RobotLink::unsafe(Time now) const {
+  const auto* running = std::get_if<Running>(&state_);
+  if (running == nullptr) return "";
+  if (running->unanswered && now >= *running->unanswered + kAnswerPatience) {
+    return "the robot's packets come, but it does not receive ours (cut from host to robot?)";
+  }
+  if (!running->behind) return "";
+  return "the robot's packets arrive " + in_seconds(running->lag.lag()) +
+         " late or not at all: its line is too slow, or loses them";
 }
 
 std::optional<Time> RobotLink::next_deadline() const {
   return std::visit(
-      pure::Overload{[](const Down&) { return std::optional<Time>{}; },
-                     [](const Synchronising& state) { return std::optional{state.deadline}; },
-                     [](const Opening& state) { return std::optional{state.deadline}; },
-                     [](const Running& state) {
-                       return std::optional{std::min(state.pulse_due, state.heard + kGiveUpAfter)};
-                     }},
+      pure::Overload{
+          [](const Down&) { return std::optional<Time>{}; },
+          [](const Synchronising& state) { return std::optional{state.deadline}; },
+          [](const Opening& state) { return std::optional{state.deadline}; },
+          [](const Checking& state) {
+            return std::optional{std::min(state.ask_due, state.heard + kGiveUpAfter)};
+          },
+          [](const Running& state) {
+            return std::optional{std::min({state.pulse_due, state.ask_due, state.heard + kGiveUpAfter})};
+          }},
       state_);
 }
 

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <string>
-#include <utility>
 
 namespace caravan::bridge {
 namespace {
@@ -15,20 +14,29 @@ std::string in_volts(double volts) {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " V";
 }
 
+constexpr std::uint16_t kStalls = arcos::kLeftStall | arcos::kRightStall;
+
+std::string named(std::uint16_t bumpers) {
+  std::string text;
+  const auto add = [&](const char* which, unsigned shift) {
+    for (unsigned i = 0; i < arcos::kMostBumpers; ++i) {
+      if ((bumpers >> (shift + i) & 1U) != 0) text += which + std::to_string(i + 1);
+    }
+  };
+  add(" front ", arcos::kFrontBumperShift);
+  add(" rear ", arcos::kRearBumperShift);
+  return text;
+}
+
 }  // namespace
 
 std::vector<Notice> Watcher::watch(const arcos::Sip& sip) {
   std::vector<Notice> notices;
   const auto tell = [&](bool& known, bool now, const std::string& begins, const std::string& ends) {
-    if (known == now) return false;
+    if (known == now) return;
     known = now;
     notices.push_back({now ? Notice::Weight::kWarning : Notice::Weight::kInfo, now ? begins : ends});
-    return true;
   };
-  if (tell(stop_pressed_, (sip.flags & arcos::kStopPressed) != 0, "emergency stop pressed",
-           "emergency stop released")) {
-    stop_released_ = !stop_pressed_;
-  }
   bool motors_off = !motors_on_;
   tell(motors_off, (sip.flags & arcos::kMotorsOn) == 0,
        "motors are disabled: press the robot's MOTORS button", "motors are enabled");
@@ -41,9 +49,13 @@ std::vector<Notice> Watcher::watch(const arcos::Sip& sip) {
   const double limit = low_battery_v_ + (battery_low_ ? kRecovered_v : 0.0);
   tell(battery_low_, battery_v_ < limit, "battery low: " + in_volts(battery_v_),
        "battery recovered: " + in_volts(battery_v_));
+  const auto bumpers = static_cast<std::uint16_t>(sip.stall_and_bumpers & ~kStalls);
+  if (bumpers != bumpers_) {
+    notices.push_back({bumpers != 0 ? Notice::Weight::kWarning : Notice::Weight::kInfo,
+                       bumpers != 0 ? "bumpers pressed:" + named(bumpers) : "bumpers are free"});
+  }
+  bumpers_ = bumpers;
   return notices;
 }
-
-bool Watcher::take_stop_released() { return std::exchange(stop_released_, false); }
 
 }  // namespace caravan::bridge

@@ -8,26 +8,22 @@
 
 namespace caravan::bridge {
 
-/// Tells what a robot's SIPs say of its health, once for each change.
+/// Tells what a robot's SIPs say of its health, once for each change. The emergency stop is StopLatch's.
 class Watcher {
  public:
   explicit Watcher(double low_battery_v) : low_battery_v_{low_battery_v} {}
 
   [[nodiscard]] std::vector<Notice> watch(const arcos::Sip& sip);
-  /// The emergency stop button has come out since the last call: motors want to be enabled again. Once.
-  [[nodiscard]] bool take_stop_released();
-  [[nodiscard]] bool is_stop_pressed() const { return stop_pressed_; }
   [[nodiscard]] double battery_v() const { return battery_v_; }
 
  private:
   double low_battery_v_;
   double battery_v_ = 0.0;
   bool motors_on_ = true;  // it is told when they are not
-  bool stop_pressed_ = false;
-  bool stop_released_ = false;
   bool left_stalls_ = false;
   bool right_stalls_ = false;
   bool battery_low_ = false;
+  std::uint16_t bumpers_ = 0;
 };
 
 }  // namespace caravan::bridge

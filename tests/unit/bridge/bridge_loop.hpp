@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -52,14 +53,18 @@ class Loop : public ::testing::Test {
     moves_ = drive.left_mps != 0.0 || drive.right_mps != 0.0;
     move_body(drive);
     if (robot_powered_) robot_.sense(senses_, now_);
-    gps_.sense(gps_works_ ? place_ : Point{std::nan(""), 0.0}, now_);
-    const std::string lines = gps_.take_lines(now_);
+    const Point antenna{place_.x_m + gps_error_.x_m, place_.y_m + gps_error_.y_m};
+    gps_.sense(gps_works_ ? antenna : Point{std::nan(""), 0.0}, now_);
+    const std::string lines = change_gps_(gps_.take_lines(now_));
     if (gps_speaks_) bridge_.gps_says(bytes_of(lines), now_);
     if (robot_powered_ && !robot_silent_) pass_to_host(robot_.take_output());
     if (agent_speaks_ && !frames_.empty()) bridge_.wish(wish_, frames_.back().stamp, now_);
     bridge_.tick(now_);
     Bridge::Effects effects = bridge_.take_effects();
-    if (line_whole_ && robot_powered_ && !effects.to_robot.empty()) robot_.receive(effects.to_robot, now_);
+    if (line_whole_ && robot_hears_ && robot_powered_ && !effects.to_robot.empty()) {
+      robot_.receive(effects.to_robot, now_);
+    }
+    unfit_ += effects.unfit;
     for (const Frame& frame : effects.frames) frames_.push_back(frame);
     for (const Notice& notice : effects.notices) told_ += notice.text + "\n";
     if (effects.reopen_robot && line_whole_) {
@@ -100,7 +105,11 @@ class Loop : public ::testing::Test {
   bool line_whole_ = true;
   bool robot_powered_ = true;
   bool robot_silent_ = false;
+  bool robot_hears_ = true;
   bool gps_speaks_ = true;
+  Point gps_error_;
+  std::function<std::string(std::string)> change_gps_ = [](std::string lines) { return lines; };
+  std::string unfit_;
   bool gps_works_ = true;
   bool agent_speaks_ = true;
   std::vector<Frame> frames_;
@@ -109,7 +118,9 @@ class Loop : public ::testing::Test {
 
 class DrivingLoop : public Loop {
  protected:
-  explicit DrivingLoop(const RobotConfig& robot = robot_config()) : Loop{bridge_config(), robot} {}
+  explicit DrivingLoop(const RobotConfig& robot = robot_config(),
+                       const BridgeConfig& config = bridge_config())
+      : Loop{config, robot} {}
   void SetUp() override {
     connect();
     wish_ = {0.5, 0.5, false};

@@ -12,12 +12,12 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST_F(DrivingLoop, WheelsStop600MillisecondsAfterTheLastCommand) {
+TEST_F(DrivingLoop, WheelsAreAtRest600MillisecondsAfterTheLastCommand) {
   agent_speaks_ = false;
   const Time rest = rest_after(5s);
-  EXPECT_GT(rest, 600ms);
-  EXPECT_LE(rest, 600ms + 20ms);
-  EXPECT_THAT(told_, HasSubstr("no command for 600 ms: wheels stopped"));
+  EXPECT_GT(rest, 400ms) << "four frames may be missed";
+  EXPECT_LE(rest, 600ms - 150ms) << "what is left is for the way to the robot and for braking";
+  EXPECT_THAT(told_, HasSubstr("no command for 400 ms: wheels stopped"));
   agent_speaks_ = true;
   run(1s);
   EXPECT_TRUE(moves_) << "and turn again with the next";
@@ -116,7 +116,7 @@ TEST_F(DrivingLoop, GarbageBetweenThePacketsHarmsNothing) {
   EXPECT_TRUE(moves_);
   EXPECT_THAT(told_, HasSubstr("garbage on the robot's line"));
   for (const Frame& frame : frames_) {
-    EXPECT_LT(std::abs(frame.x_m), 100.0);
+    EXPECT_FALSE(std::abs(frame.x_m) >= 100.0) << "NaN before it is known";
     EXPECT_LT(std::abs(frame.left_wheel_rad), 1000.0);
   }
 }
@@ -156,14 +156,52 @@ TEST_F(DrivingLoop, TheEndLeavesTheRobotSafe) {
   EXPECT_FALSE(robot_.is_open());
 }
 
-TEST_F(DrivingLoop, ReportsTheStopButtonAndGoesOnWhenItComesOut) {
+TEST_F(DrivingLoop, AfterAnEmergencyStopOnlyTheMotorsButtonLetsItDrive) {
   robot_.press_stop(true);
-  run(500ms);
-  EXPECT_FALSE(moves_);
-  EXPECT_THAT(told_, HasSubstr("emergency stop pressed"));
+  EXPECT_LE(rest_after(5s), 300ms);
+  run(5s);
+  EXPECT_THAT(told_, HasSubstr("emergency stop pressed: wheels stopped"));
   robot_.press_stop(false);
-  run(2s);
+  run(10s);
+  EXPECT_FALSE(moves_) << "it was released, nobody asked it to drive";
+  EXPECT_THAT(told_,
+              HasSubstr("emergency stop released: the robot stands until somebody presses its MOTORS"));
+  line_whole_ = false;
+  bridge_.robot_down(now_);
+  run(1s);
+  line_whole_ = true;
+  robot_.connected(now_);
+  bridge_.robot_up(now_);
+  run(5s);
+  EXPECT_FALSE(moves_) << "another connection is no operator";
+  robot_.switch_motors(true);
+  run(1s);
   EXPECT_TRUE(moves_);
+}
+
+TEST_F(DrivingLoop, WheelCommandsAreZeroWhileTheEmergencyStopIsPressed) {
+  // Of a robot that says so and obeys nevertheless.
+  arcos::Sip sip;
+  sip.flags = arcos::kMotorsOn | arcos::kStopPressed;
+  robot_silent_ = robot_hears_ = false;
+  arcos::PacketFinder finder;
+  int wheels = 0;
+  bool enabled = true;
+  for (int i = 0; i < 50; ++i) {
+    now_ += 100ms;
+    bridge_.robot_says(arcos::to_packet(encode(sip)), now_);
+    bridge_.wish({0.5, 0.5, false}, now_, now_);
+    for (const arcos::Bytes& data : finder.feed(bridge_.take_effects().to_robot)) {
+      const auto command = arcos::decode_command(data);
+      const int* number = std::get_if<int>(&command->argument);
+      if (command->number == static_cast<int>(arcos::Order::kEnable)) enabled = *number != 0;
+      if (command->number != static_cast<int>(arcos::Order::kWheelSpeeds)) continue;
+      ++wheels;
+      EXPECT_EQ(*number, 0) << i;
+    }
+  }
+  EXPECT_GE(wheels, 5) << "told again and again";
+  EXPECT_FALSE(enabled) << "motors off, so that somebody can switch them on";
 }
 
 TEST_F(DrivingLoop, MotorsSwitchedOffByHandStayOffUntilTheHandTurnsThemOn) {

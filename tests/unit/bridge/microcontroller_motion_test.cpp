@@ -199,12 +199,12 @@ TEST_F(RobotWithBumpers, ShowsWhichSegmentsArePressed) {
   robot_.press_bumpers(0b00101, 0b10000);
   say(Order::kIoRequest, 1);
   run(100ms);
-  EXPECT_EQ(sips_.back().stall_and_bumpers, 0b00101 << 1 | 0b10000 << 9);
+  EXPECT_EQ(sips_.back().stall_and_bumpers, 0b00101 << 9 | 0b10000 << 1);
   EXPECT_EQ(last(0xf0).at(3), 0b00101);
   EXPECT_EQ(last(0xf0).at(4), 0b10000);
   robot_.press_bumpers(0xff, 0);
   run(100ms);
-  EXPECT_EQ(sips_.back().stall_and_bumpers, 0b11111 << 1) << "no more than it has";
+  EXPECT_EQ(sips_.back().stall_and_bumpers, 0b11111 << 9) << "no more than it has";
 }
 
 TEST_F(RobotWithBumpers, StopsAtAnObstacleAndDrivesAwayFromIt) {
@@ -213,14 +213,14 @@ TEST_F(RobotWithBumpers, StopsAtAnObstacleAndDrivesAwayFromIt) {
   robot_.press_bumpers(1, 0);
   run(200ms);
   EXPECT_EQ(drive_.left_mps, 0.0) << "at once";
-  EXPECT_EQ(sips_.back().stall_and_bumpers, 0x0103);
+  EXPECT_EQ(sips_.back().stall_and_bumpers, 0x0301);
   say(Order::kSpeed, 300);
   run(500ms);
   EXPECT_EQ(drive_.left_mps, 0.0);
   say(Order::kSpeed, -300);
   run(500ms);
   EXPECT_LT(drive_.left_mps, -0.1);
-  EXPECT_EQ(sips_.back().stall_and_bumpers, 0x0002) << "no stall away from it";
+  EXPECT_EQ(sips_.back().stall_and_bumpers, 0x0200) << "no stall away from it";
 }
 
 TEST_F(RobotWithBumpers, DrivesOnWhereTheyAreSwitchedOff) {

@@ -8,6 +8,7 @@ namespace caravan::bridge {
 namespace {
 
 using arcos::Sip;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -43,16 +44,14 @@ TEST(Watcher, TellsEachChangeOnce) {
   EXPECT_THAT(told(watcher, sip), HasSubstr("right wheel stalls"));
 }
 
-TEST(Watcher, KnowsWhenTheStopButtonHasComeOut) {
+TEST(Watcher, NamesTheBumpersThatArePressedAndTellsEachChangeOnce) {
   Watcher watcher{11.5};
   Sip sip = healthy();
-  sip.flags = arcos::kStopPressed;
-  EXPECT_THAT(told(watcher, sip), HasSubstr("emergency stop pressed"));
-  EXPECT_FALSE(watcher.take_stop_released());
-  sip.flags = 0;
-  EXPECT_THAT(told(watcher, sip), HasSubstr("released"));
-  EXPECT_TRUE(watcher.take_stop_released());
-  EXPECT_FALSE(watcher.take_stop_released());
+  sip.stall_and_bumpers = 1U << 2U | 1U << 9U;
+  EXPECT_THAT(told(watcher, sip),
+              AllOf(HasSubstr("bumpers pressed"), HasSubstr("front 1"), HasSubstr("rear 2")));
+  EXPECT_THAT(told(watcher, sip), IsEmpty());
+  EXPECT_THAT(told(watcher, healthy()), HasSubstr("bumpers are free"));
 }
 
 TEST(Watcher, ABatteryAtTheLimitIsToldOnce) {
