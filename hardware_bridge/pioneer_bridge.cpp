@@ -13,14 +13,28 @@ const std::string& only_one(const std::vector<std::string>& texts, const char* o
   return texts.front();
 }
 
-bridge::Devices choose(const std::vector<std::string>& port, const std::vector<std::string>& gps,
-                       std::uint32_t baud, std::uint32_t gps_baud) {
-  bridge::Devices devices;
-  devices.robot =
+struct Addresses {
+  bridge::PortAddress robot;
+  std::optional<bridge::PortAddress> gps;
+};
+
+Addresses parse(const std::vector<std::string>& port, const std::vector<std::string>& gps) {
+  Addresses addresses;
+  addresses.robot =
       bridge::parse_port(only_one(port, "--port", "/dev/ttyUSB0 or tcp:127.0.0.1:8101"), "--port");
-  if (baud != 0) devices.baud = baud;
   const std::string& receiver = only_one(gps, "--gps", "/dev/ttyUSB1, tcp:127.0.0.1:8201 or none");
-  if (receiver != "none") devices.gps = bridge::parse_port(receiver, "--gps");
+  if (receiver != "none") addresses.gps = bridge::parse_port(receiver, "--gps");
+  if (addresses.gps == addresses.robot) {
+    throw runtime::StartError{"--gps: " + receiver + " is the robot's --port"};
+  }
+  return addresses;
+}
+
+bridge::Devices find(const Addresses& addresses, std::uint32_t baud, std::uint32_t gps_baud) {
+  bridge::Devices devices;
+  devices.robot = bridge::resolve(addresses.robot, "--port");
+  if (baud != 0) devices.baud = baud;
+  if (addresses.gps) devices.gps = bridge::resolve(*addresses.gps, "--gps");
   devices.gps_baud = gps_baud;
   return devices;
 }
@@ -52,11 +66,12 @@ int main(int argc, char** argv) {
       program, argc, argv, [&](const runtime::Start& start, runtime::Loop& loop) -> int {
         check_baud(baud, "--baud");
         check_baud(gps_baud, "--gps-baud");
-        const bridge::Devices devices = choose(port, gps, baud, gps_baud);
+        const Addresses addresses = parse(port, gps);
         const auto scenario = runtime::TomlDocument::load(start.scenario);
         (void)bridge::load_robot_config(scenario, robot);  // is there such a robot?
-        const bridge::BridgeConfig config = bridge::load_bridge_config(scenario, devices.gps.has_value());
+        const bridge::BridgeConfig config = bridge::load_bridge_config(scenario, addresses.gps.has_value());
         if (start.check_only) return runtime::kDone;
+        const bridge::Devices devices = find(addresses, baud, gps_baud);
         const runtime::BusConfig bus{.role = "pioneer_bridge " + std::to_string(robot),
                                      .domain = start.domain,
                                      .lease_s = start.lease_s,

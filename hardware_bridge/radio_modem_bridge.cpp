@@ -13,7 +13,7 @@ bridge::ModemAddress parse_modem(const std::vector<std::string>& texts) {
   if (texts.size() != 1) throw runtime::StartError{"--modem: " + example};
   bridge::ModemAddress address;
   if (!texts.front().starts_with("udp:")) {
-    address.serial = bridge::parse_port(texts.front(), "--modem");
+    address.serial = bridge::Endpoint{bridge::parse_port(texts.front(), "--modem"), std::nullopt};
     return address;
   }
   const std::string port = texts.front().substr(4);
@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
                  &modem}}};
   return runtime::run_process(
       program, argc, argv, [&](const runtime::Start& start, runtime::Loop& loop) -> int {
-        const bridge::ModemAddress address = parse_modem(modem);
+        bridge::ModemAddress address = parse_modem(modem);
         if (bit_rate < 1000) throw runtime::StartError{"--bit-rate: must be at least 1000"};
         const auto scenario = runtime::TomlDocument::load(start.scenario);
         const runtime::RadioTable radio = runtime::read_radio(scenario);
@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
             .channel_change = std::chrono::microseconds{channel_change_us},
             .queue_length = radio.queue_length};
         if (start.check_only) return runtime::kDone;
+        if (address.serial) address.serial = bridge::resolve(address.serial->address, "--modem");
         const runtime::BusConfig bus{.role = "radio_modem_bridge " + std::to_string(robot),
                                      .domain = start.domain,
                                      .lease_s = start.lease_s,

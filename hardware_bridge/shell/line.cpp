@@ -2,9 +2,9 @@
 #include "hardware_bridge/shell/line.hpp"
 
 #include <fcntl.h>
-#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <termios.h>
 
@@ -12,12 +12,11 @@
 #include <cerrno>
 #include <cstring>
 
-#include "runtime/config/start_error.hpp"
-
 namespace caravan::bridge {
 namespace {
 
 constexpr std::size_t kMostWaiting = 65536;
+constexpr std::chrono::seconds kConnectPatience{1};
 
 std::string reason() { return std::strerror(errno); }
 
@@ -49,23 +48,10 @@ Descriptor open_serial(const std::string& path, unsigned baud) {
   cfsetispeed(&settings, speed_of(baud));
   cfsetospeed(&settings, speed_of(baud));
   if (tcsetattr(port.number(), TCSANOW, &settings) != 0) return {};
+  // Nobody else may open it while it is ours (root may; see Claim).
+  if (ioctl(port.number(), TIOCEXCL) != 0) return {};
   tcflush(port.number(), TCIOFLUSH);
   return port;
-}
-
-std::optional<sockaddr_in> look_up(const PortAddress& address) {
-  addrinfo hints{};
-  hints.ai_family = AF_INET;
-  hints.ai_socktype = SOCK_STREAM;
-  addrinfo* found = nullptr;
-  if (getaddrinfo(address.host.c_str(), address.port.c_str(), &hints, &found) != 0) {
-    errno = EADDRNOTAVAIL;
-    return std::nullopt;
-  }
-  sockaddr_in place{};
-  std::memcpy(&place, found->ai_addr, sizeof place);
-  freeaddrinfo(found);
-  return place;
 }
 
 Descriptor begin_connecting(const sockaddr_in& place) {
@@ -74,6 +60,11 @@ Descriptor begin_connecting(const sockaddr_in& place) {
   const bool begun =
       socket.is_open() && (connect(socket.number(), address, sizeof place) == 0 || errno == EINPROGRESS);
   return begun ? std::move(socket) : Descriptor{};
+}
+
+/// A terminal outlives us when another program holds it, and our sole use with it.
+void leave_to_others(int descriptor) {
+  ioctl(descriptor, TIOCNXCL);  // fails on a socket, which needs it not
 }
 
 /// Like write(), but a connection that has been closed raises no signal.
@@ -90,32 +81,27 @@ void send_at_once(int socket) {
 
 }  // namespace
 
-PortAddress parse_port(const std::string& text, const std::string& option) {
-  if (text.starts_with("/")) return {text, "", ""};
-  const std::size_t colon = text.rfind(':');
-  if (text.starts_with("tcp:") && colon > 4 && colon + 1 < text.size()) {
-    return {"", text.substr(4, colon - 4), text.substr(colon + 1)};
-  }
-  throw runtime::StartError{option + ": " + text +
-                            " is neither a device such as /dev/ttyUSB0 nor tcp:HOST:PORT"};
-}
-
-std::string to_text(const PortAddress& address) {
-  return address.path.empty() ? "tcp:" + address.host + ":" + address.port : address.path;
-}
-
-std::string Line::open(const PortAddress& address, unsigned baud) {
+std::string Line::open(const Endpoint& endpoint, unsigned baud) {
   close();
-  connecting_ = address.path.empty();
-  if (!connecting_) {
-    descriptor_ = open_serial(address.path, baud);
+  closed_ = false;
+  connecting_ = endpoint.place.has_value();
+  if (connecting_) {
+    descriptor_ = begin_connecting(*endpoint.place);
+    give_up_ = std::chrono::steady_clock::now() + kConnectPatience;
   } else {
-    if (!found_ || looked_up_ != address) found_ = look_up(address);
-    looked_up_ = address;
-    if (found_) descriptor_ = begin_connecting(*found_);
+    descriptor_ = open_serial(endpoint.address.path, baud);
+    taken_ = !descriptor_.is_open() && errno == EBUSY;
   }
-  if (!descriptor_.is_open()) fail(reason());
+  if (!descriptor_.is_open()) fail(taken_ ? "in use by another program" : reason());
   return failure_;
+}
+
+void Line::expire(runtime::WallTime now) {
+  if (connecting_ && now >= give_up_) fail("no answer to the connection within 1 s: is the address right?");
+}
+
+std::optional<runtime::WallTime> Line::next_deadline() const {
+  return connecting_ ? std::optional{give_up_} : std::nullopt;
 }
 
 void Line::adopt(Descriptor descriptor) {
@@ -125,6 +111,7 @@ void Line::adopt(Descriptor descriptor) {
 }
 
 void Line::close() {
+  if (is_open()) leave_to_others(descriptor_.number());
   descriptor_.reset();
   connecting_ = false;
   waiting_.clear();
@@ -167,6 +154,7 @@ Bytes Line::attend() {
     } else if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
       break;
     } else {
+      closed_ = count == 0 || errno == ECONNRESET;
       fail(count == 0 ? "closed at the other end" : reason());
     }
   }

@@ -20,8 +20,6 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr Time kRetry = 500ms;
-
 /// Another one in each process, so that a modem knows its own echo.
 std::uint32_t own_number(std::uint32_t robot) {
   return static_cast<std::uint32_t>(pure::mix_all(robot, static_cast<std::uint64_t>(getpid())));
@@ -39,6 +37,7 @@ ModemShell::ModemShell(const modem::RadioLimits& limits, std::uint32_t robot, co
       bus_{bus, [this](const Discovery& news) {
              if (news.kind == Discovery::Kind::kGone) mailbox_.post({news.participant, std::nullopt});
            }} {
+  if (address.serial) claim_.emplace(canonical(*address.serial), "--modem");
   if (!address.serial) air_.emplace(address.udp_port);
   receives_ = bus_.writer<msg::RadioReceivePubSubType>(idl::kRadioReceive, robot);
   bus_.reader<msg::RadioTransmitPubSubType>(
@@ -79,12 +78,16 @@ void ModemShell::tell_drops() {
 }
 
 void ModemShell::keep_line_open() {
-  if (!address_.serial || line_.is_open() || now() < retry_) return;
-  retry_ = now() + kRetry;
+  if (!address_.serial || line_.is_open() || now() < retry_.due()) return;
+  retry_.tries(now());
   const std::string wrong = line_.open(*address_.serial, address_.baud);
-  if (wrong.empty() || wrong == said_) return;
-  said_ = wrong;
-  spdlog::warn("modem {}: {}, trying again", to_text(*address_.serial), wrong);
+  if (!wrong.empty()) tell_gone(wrong);
+}
+
+void ModemShell::tell_gone(const std::string& why) {
+  const std::string text = "modem " + to_text(address_.serial->address) + ": " + why + ", trying again";
+  if (limit_.pass({Notice::Weight::kWarning, text}, now())) spdlog::warn("{}", text);
+  for (const Notice& notice : limit_.take_due(now())) spdlog::warn("{}", notice.text);
 }
 
 int ModemShell::run() {
@@ -94,7 +97,8 @@ int ModemShell::run() {
     std::array<Watched, 2> watched{air_ ? air_->watched() : Watched{}, line_.watched()};
     std::optional<runtime::WallTime> deadline;
     if (const auto due = radio_.next_deadline()) deadline = began_ + *due;
-    if (!deadline && address_.serial && !line_.is_open()) deadline = began_ + retry_;
+    if (!deadline && address_.serial && !line_.is_open()) deadline = began_ + retry_.due();
+    if (!deadline) deadline = line_.next_deadline();
     if (loop_.wait(deadline, watched) == runtime::Loop::Woken::kStop) return runtime::kDone;
     read_mailbox();
     while (air_ && watched[0].ready) {
@@ -102,7 +106,7 @@ int ModemShell::run() {
       if (!datagram) break;
       hear(*datagram);
     }
-    if (watched[1].ready) attend_serial();
+    if (address_.serial) attend_serial(watched[1].ready);
   }
 }
 
@@ -114,10 +118,16 @@ void ModemShell::transmit() {
   }
 }
 
-void ModemShell::attend_serial() {
-  for (const Bytes& packet : slip_.feed(line_.attend())) hear(packet);
-  if (!line_.is_open())
-    spdlog::warn("modem {}: {}, trying again", to_text(*address_.serial), line_.failure());
+void ModemShell::attend_serial(bool ready) {
+  if (!line_.is_open()) return;
+  if (ready) {
+    for (const Bytes& packet : slip_.feed(line_.attend())) hear(packet);
+  }
+  line_.expire(std::chrono::steady_clock::now());
+  if (line_.is_up()) retry_.up(now());
+  if (line_.is_open()) return;
+  retry_.down(now(), line_.is_closed_by_other_end());
+  tell_gone(line_.failure());
 }
 
 void ModemShell::hear(const Bytes& bytes) {

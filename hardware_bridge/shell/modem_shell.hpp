@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "hardware_bridge/core/host/notice_limit.hpp"
+#include "hardware_bridge/core/host/retry.hpp"
 #include "hardware_bridge/core/modem/half_duplex.hpp"
+#include "hardware_bridge/shell/claim.hpp"
 #include "hardware_bridge/shell/line.hpp"
 #include "hardware_bridge/shell/udp_air.hpp"
 #include "idl/robot_types.hpp"
@@ -17,7 +20,7 @@ namespace caravan::bridge {
 
 /// Where the modem is: a serial port, or the air that all modems of this machine share by UDP.
 struct ModemAddress {
-  std::optional<PortAddress> serial;
+  std::optional<Endpoint> serial;
   unsigned baud = 115200;
   std::uint16_t udp_port = 0;
 };
@@ -47,20 +50,22 @@ class ModemShell {
   void take(const caravan_interfaces::msg::RadioTransmit& sample);
   void keep_line_open();
   void transmit();
-  void attend_serial();
+  void attend_serial(bool ready);
   void hear(const Bytes& bytes);
   void tell_drops();
+  void tell_gone(const std::string& why);
 
   const ModemAddress address_;
   runtime::Loop& loop_;
   const runtime::WallTime began_;
   const std::uint32_t own_;  // this modem's number in packets
   modem::HalfDuplex radio_;
+  std::optional<Claim> claim_;
   std::optional<UdpAir> air_;
   Line line_;
   modem::SlipReader slip_;
-  Time retry_{0};
-  std::string said_;
+  Retry retry_;
+  NoticeLimit limit_;
   std::uint64_t told_drops_ = 0;
   std::optional<runtime::ParticipantId> agent_;
   std::uint64_t session_ = 0;

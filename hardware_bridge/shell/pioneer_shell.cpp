@@ -3,10 +3,12 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "idl/stamp.hpp"
+#include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
 
 namespace caravan::bridge {
@@ -18,10 +20,13 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr Time kRetry = 500ms;
 constexpr auto kLastWords = 200ms;
-// 9600 is what a Pioneer is delivered with.
-constexpr std::array kBaudRates{9600U, 38400U, 19200U, 115200U, 57600U};
+constexpr unsigned kBriefWorthTelling = 3;
+
+void log(const Notice& notice) {
+  spdlog::log(notice.weight == Notice::Weight::kInfo ? spdlog::level::info : spdlog::level::warn, "{}",
+              notice.text);
+}
 
 /// Sessions of later starts have higher numbers.
 std::uint64_t new_session() {
@@ -32,14 +37,17 @@ std::uint64_t new_session() {
 
 PioneerShell::PioneerShell(const BridgeConfig& config, std::uint32_t robot, const Devices& devices,
                            const runtime::BusConfig& bus, runtime::Loop& loop)
-    : devices_{devices},
+    : baud_{devices.baud},
+      gps_baud_{devices.gps_baud},
       loop_{loop},
       began_{std::chrono::steady_clock::now()},
       session_{new_session()},
       bridge_{config},
+      robot_{devices.robot, "", "--port"},
       bus_{bus, [this](const Discovery& news) {
              if (news.kind == Discovery::Kind::kGone) mailbox_.post({news.participant, std::nullopt});
            }} {
+  if (devices.gps) gps_.emplace(*devices.gps, "GPS ", "--gps");
   sensors_ = bus_.writer<msg::SensorFramePubSubType>(idl::kSensors, robot);
   bus_.reader<msg::RobotCommandPubSubType>(
       idl::kCommand, robot, [this](const msg::RobotCommand& command, const ParticipantId& sender) {
@@ -53,7 +61,7 @@ void PioneerShell::read_mailbox() {
   for (const Mail& mail : mailbox_.take()) {
     if (!mail.command) {
       if (agent_ != mail.from) continue;
-      spdlog::warn("the agent is gone: wheels stopped");
+      warn("the agent is gone: wheels stopped");
       agent_.reset();
       bridge_.forget_wish(now());
     } else if (mail.command->session() == session_) {
@@ -70,8 +78,8 @@ int PioneerShell::run() {
     keep_lines_open();
     bridge_.tick(now());
     carry_out();
-    std::array<Watched, 2> watched{robot_.watched(), gps_.watched()};
-    const auto woken = loop_.wait(began_ + bridge_.next_deadline(now()), watched);
+    std::array<Watched, 2> watched{robot_.line.watched(), gps_ ? gps_->line.watched() : Watched{}};
+    const auto woken = loop_.wait(next_deadline(), watched);
     read_mailbox();
     attend_robot(watched[0].ready);
     attend_gps(watched[1].ready);
@@ -83,71 +91,88 @@ int PioneerShell::run() {
   }
 }
 
-void PioneerShell::say(std::string& said, const std::string& text) {
-  if (said == text) return;
-  said = text;
-  spdlog::warn("{}", text);
+runtime::WallTime PioneerShell::next_deadline() const {
+  Wall next = began_ + bridge_.next_deadline(now());
+  for (const Port* port : {&robot_, gps_ ? &*gps_ : nullptr}) {
+    if (port == nullptr) continue;
+    if (!port->line.is_open()) next = std::min(next, began_ + port->retry.due());
+    if (const auto due = port->line.next_deadline()) next = std::min(next, *due);
+  }
+  return next;
 }
 
-void PioneerShell::open_robot() {
-  const unsigned baud = devices_.baud.value_or(kBaudRates[baud_]);
-  retry_robot_ = now() + kRetry;
-  const std::string wrong = robot_.open(devices_.robot, baud);
-  if (!wrong.empty()) return say(said_robot_, to_text(devices_.robot) + ": " + wrong + ", trying again");
-  if (!devices_.robot.path.empty()) spdlog::debug("trying {} baud", baud);
+void PioneerShell::tell(Notice notice) {
+  if (const auto passed = limit_.pass(std::move(notice), now())) log(*passed);
+}
+
+void PioneerShell::open(Port& port, unsigned baud) {
+  port.retry.tries(now());
+  const std::string wrong = port.line.open(port.endpoint, baud);
+  if (port.line.is_taken() && !port.was_ours) {
+    throw runtime::StartError{port.name + ": " + wrong + "; end that one first"};
+  }
+  port.opened = wrong.empty();
+  port.was_ours = port.was_ours || port.opened;
+  if (!wrong.empty()) warn(port.name + ": " + wrong + ", trying again");
 }
 
 void PioneerShell::keep_lines_open() {
-  if (!robot_.is_open() && now() >= retry_robot_) open_robot();
-  if (robot_.is_up() && !robot_was_up_) {
+  if (!robot_.line.is_open() && now() >= robot_.retry.due()) {
+    const unsigned baud = baud_.value_or(search_.rate());
+    open(robot_, baud);
+    if (robot_.line.is_up()) spdlog::debug("trying {} baud", baud);
+  }
+  if (robot_.line.is_up() && !robot_was_up_) {
     robot_was_up_ = true;
     bridge_.robot_up(now());
   }
-  if (devices_.gps && !gps_.is_open() && now() >= retry_gps_) {
-    retry_gps_ = now() + kRetry;
-    const std::string wrong = gps_.open(*devices_.gps, devices_.gps_baud);
-    if (!wrong.empty()) say(said_gps_, "GPS " + to_text(*devices_.gps) + ": " + wrong + ", trying again");
-  }
+  if (gps_ && !gps_->line.is_open() && now() >= gps_->retry.due()) open(*gps_, gps_baud_);
+}
+
+Bytes PioneerShell::attend(Port& port, bool ready) {
+  Bytes bytes;
+  if (ready) bytes = port.line.attend();
+  port.line.expire(std::chrono::steady_clock::now());
+  if (port.line.is_up()) port.retry.up(now());
+  if (port.line.is_open() || !std::exchange(port.opened, false)) return bytes;
+  port.retry.down(now(), port.line.is_closed_by_other_end());
+  const bool taken = port.retry.brief() >= kBriefWorthTelling;
+  warn(port.name + ": " + port.line.failure() +
+       (taken ? " again and again: another host may have it, or the device is not ready" : "") +
+       ", trying again");
+  return bytes;
 }
 
 void PioneerShell::attend_robot(bool ready) {
-  if (ready) {
-    const Bytes bytes = robot_.attend();
-    if (!bytes.empty()) bridge_.robot_says(bytes, now());
-  }
-  if (robot_.is_open()) return;
-  if (!robot_.failure().empty()) {
-    say(said_robot_, to_text(devices_.robot) + ": " + robot_.failure() + ", trying again");
-  }
-  if (std::exchange(robot_was_up_, false)) bridge_.robot_down(now());
+  const Bytes bytes = attend(robot_, ready);
+  if (!bytes.empty()) bridge_.robot_says(bytes, now());
+  if (!robot_.line.is_open() && std::exchange(robot_was_up_, false)) bridge_.robot_down(now());
 }
 
 void PioneerShell::attend_gps(bool ready) {
-  if (!ready) return;
-  const Bytes bytes = gps_.attend();
-  if (!bytes.empty()) {
-    said_gps_.clear();
-    bridge_.gps_says(bytes, now());
-  }
-  if (gps_.is_open()) return;
-  say(said_gps_, "GPS " + to_text(*devices_.gps) + ": " + gps_.failure() + ", trying again");
-  bridge_.gps_down();
+  if (!gps_) return;
+  const Bytes bytes = attend(*gps_, ready);
+  if (!bytes.empty()) bridge_.gps_says(bytes, now());
+  if (!gps_->line.is_open()) bridge_.gps_down();
 }
 
 void PioneerShell::carry_out() {
-  const Bridge::Effects effects = bridge_.take_effects();
-  robot_.write(effects.to_robot);
-  for (const Notice& notice : effects.notices) {
-    spdlog::log(notice.weight == Notice::Weight::kInfo ? spdlog::level::info : spdlog::level::warn, "{}",
-                notice.text);
+  Bridge::Effects effects = bridge_.take_effects();
+  robot_.line.write(effects.to_robot);
+  for (Notice& notice : effects.notices) tell(std::move(notice));
+  if (!effects.unfit.empty()) {
+    end();
+    throw runtime::StartError{robot_.name + ": " + effects.unfit};
   }
-  if (!effects.frames.empty()) said_robot_.clear();
+  for (const Notice& notice : limit_.take_due(now())) log(notice);
+  if (!effects.frames.empty()) search_.found();
   for (const Frame& frame : effects.frames) publish(frame);
   if (!effects.reopen_robot) return;
-  baud_ = (baud_ + 1) % kBaudRates.size();
-  robot_.close();
+  search_.next();
+  robot_.line.close();
+  robot_.opened = false;
   robot_was_up_ = false;
-  retry_robot_ = Time{0};
+  robot_.retry.again();
 }
 
 void PioneerShell::publish(const Frame& frame) {
@@ -171,8 +196,9 @@ void PioneerShell::end() {
   carry_out();
   // The last words are short; a line that does not take them at once may never.
   const auto until = std::chrono::steady_clock::now() + kLastWords;
-  while (robot_.is_up() && robot_.watched().for_writing && std::chrono::steady_clock::now() < until) {
-    (void)robot_.attend();
+  Line& line = robot_.line;
+  while (line.is_up() && line.watched().for_writing && std::chrono::steady_clock::now() < until) {
+    (void)line.attend();
   }
 }
 

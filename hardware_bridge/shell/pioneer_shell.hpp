@@ -2,9 +2,15 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "hardware_bridge/core/host/baud_search.hpp"
 #include "hardware_bridge/core/host/bridge.hpp"
+#include "hardware_bridge/core/host/notice_limit.hpp"
+#include "hardware_bridge/core/host/retry.hpp"
+#include "hardware_bridge/shell/claim.hpp"
 #include "hardware_bridge/shell/line.hpp"
 #include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
@@ -15,9 +21,9 @@ namespace caravan::bridge {
 
 /// The devices of one robot.
 struct Devices {
-  PortAddress robot;
+  Endpoint robot;
   std::optional<unsigned> baud;  ///< of the robot; none: it is searched
-  std::optional<PortAddress> gps;
+  std::optional<Endpoint> gps;
   unsigned gps_baud = 9600;
 };
 
@@ -25,9 +31,10 @@ struct Devices {
 /// their ports.
 ///
 /// The main thread owns everything; the bus's receiving thread only leaves commands in a mailbox. A device
-/// that is gone is opened again every half second.
+/// that is gone is opened again (see Retry). Whatever may be told again and again goes through a NoticeLimit.
 class PioneerShell {
  public:
+  /// @throws StartError when another program uses a device
   PioneerShell(const BridgeConfig& config, std::uint32_t robot, const Devices& devices,
                const runtime::BusConfig& bus, runtime::Loop& loop);
   ~PioneerShell();
@@ -44,33 +51,50 @@ class PioneerShell {
     std::optional<caravan_interfaces::msg::RobotCommand> command;  ///< none: it is gone
   };
 
+  /// A device, its line, and when it is opened again.
+  struct Port {
+    /// @throws StartError when another bridge has it
+    Port(Endpoint device, const std::string& prefix, const std::string& option)
+        : endpoint{std::move(device)},
+          name{prefix + to_text(endpoint.address)},
+          claim{canonical(endpoint), option} {}
+
+    Endpoint endpoint;
+    std::string name;  ///< for messages
+    Claim claim;
+    Line line;
+    Retry retry;
+    bool was_ours = false;  ///< it has been open once
+    bool opened = false;    ///< its line was, and its end is not told yet
+  };
+
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
+  [[nodiscard]] Wall next_deadline() const;
   void read_mailbox();
   void keep_lines_open();
-  void open_robot();
+  void open(Port& port, unsigned baud);
+  /// @return what has arrived
+  [[nodiscard]] Bytes attend(Port& port, bool ready);
   void attend_robot(bool ready);
   void attend_gps(bool ready);
   void carry_out();
   void publish(const Frame& frame);
   void end();
-  /// Says it once for each new reason.
-  void say(std::string& said, const std::string& text);
+  void tell(Notice notice);
+  void warn(std::string text) { tell({Notice::Weight::kWarning, std::move(text)}); }
 
-  const Devices devices_;
+  const std::optional<unsigned> baud_;
+  const unsigned gps_baud_;
   runtime::Loop& loop_;
   const Wall began_;
   const std::uint64_t session_;
 
   Bridge bridge_;
-  Line robot_;
-  Line gps_;
+  Port robot_;
+  std::optional<Port> gps_;
+  NoticeLimit limit_;
+  BaudSearch search_;
   bool robot_was_up_ = false;
-  bool gps_was_open_ = false;
-  std::size_t baud_ = 0;  // of the rates that are tried
-  Time retry_robot_{0};
-  Time retry_gps_{0};
-  std::string said_robot_;
-  std::string said_gps_;
   std::optional<runtime::ParticipantId> agent_;
   std::uint64_t refused_writes_ = 0;
 
