@@ -160,7 +160,7 @@ TEST_F(PioneerBridge, AnAgentThatFallsSilentStopsTheRobot) {
   drive(tcp(cable_->port()));
   const auto since = truth_.now();
   agent_->choose([](const auto&, auto&) { return false; });
-  EXPECT_TRUE(bridge_->prints("no command for 600 ms: wheels stopped", kPatience));
+  EXPECT_TRUE(bridge_->prints("no command for 400 ms: wheels stopped", kPatience));
   expect_rest(since);
   agent_->choose(drives(0.15, 0.35));
   EXPECT_TRUE(truth_.drives(1)) << bridge_->output();

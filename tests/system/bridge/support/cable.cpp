@@ -5,6 +5,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
 
 #include "runtime/pure/random.hpp"
@@ -62,7 +63,13 @@ void Cable::plug_in(Ends& ends) const {
 void Cable::carry(Ends& ends) const {
   std::array<pollfd, 2> watched{
       {{ends.bridge.descriptor(), POLLIN, 0}, {ends.device.descriptor(), POLLIN, 0}}};
-  if (poll(watched.data(), watched.size(), 20) <= 0) return;
+  const int ready = poll(watched.data(), watched.size(), 20);
+  if (ready == 0 && !waiting_.empty()) {
+    std::vector<std::uint8_t> bytes;
+    slow_down(bytes);
+    if (!ends.bridge.write(bytes)) ends = Ends{};
+  }
+  if (ready <= 0) return;
   if (watched[1].revents != 0 && !pass(ends.device, ends.bridge, true)) {
     ends = Ends{};
   } else if (watched[0].revents != 0 && !pass(ends.bridge, ends.device, false)) {
@@ -77,6 +84,10 @@ bool Cable::pass(const Socket& from, const Socket& to, bool to_bridge) const {
   auto bytes = from.read(0ms);
   if (!bytes) return false;
   static thread_local pure::Random random{1};
+  if (to_bridge) {
+    const std::lock_guard lock{mutex_};
+    if (change_) *bytes = change_(*bytes);
+  }
   switch (state_) {
     case State::kFrozen:
       return true;
@@ -88,11 +99,30 @@ bool Cable::pass(const Socket& from, const Socket& to, bool to_bridge) const {
       for (int i = 0; i < 40; ++i)
         bytes->insert(bytes->begin(), static_cast<std::uint8_t>(random.word() % 0xfa));
       break;
+    case State::kOneWay:
+      if (!to_bridge) bytes->clear();
+      break;
+    case State::kSlow:
+      if (to_bridge) slow_down(*bytes);
+      break;
     case State::kWhole:
     case State::kPulled:
       break;
   }
   return to.write(*bytes);
+}
+
+/// Puts `bytes` behind what waits and takes out what the line has room for by now.
+void Cable::slow_down(std::vector<std::uint8_t>& bytes) const {
+  constexpr double kBytesPerSecond = 350.0;
+  const auto now = std::chrono::steady_clock::now();
+  if (carried_ == 0 && waiting_.empty()) slow_since_ = now;
+  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+  const double room = kBytesPerSecond * std::chrono::duration<double>(now - slow_since_).count();
+  const std::size_t count = std::min(waiting_.size(), static_cast<std::size_t>(room) - carried_);
+  bytes.assign(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(count));
+  carried_ += count;
 }
 
 }  // namespace caravan::test

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
+#include <functional>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -29,9 +32,16 @@ class Cable {
     kPulled,   ///< both ends see the connection end, none is made
     kFrozen,   ///< nothing comes through, nobody is told, not even that an end is closed
     kGarbled,  ///< every byte is another one; the same
+    kOneWay,   ///< what the bridge says does not come through; nobody is told
+    kSlow,     ///< 350 bytes a second from device to bridge; the rest waits
     kNoisy     ///< whole, with random bytes between what the device says
   };
   void set(State state) { state_ = state; }
+  /// Whatever the device says goes through `change` on its way to the bridge.
+  void change(std::function<std::vector<std::uint8_t>(const std::vector<std::uint8_t>&)> change) {
+    const std::lock_guard lock{mutex_};
+    change_ = std::move(change);
+  }
 
  private:
   struct Ends {
@@ -42,12 +52,19 @@ class Cable {
   void plug_in(Ends& ends) const;
   void carry(Ends& ends) const;
   [[nodiscard]] bool pass(const Socket& from, const Socket& to, bool to_bridge) const;
+  void slow_down(std::vector<std::uint8_t>& bytes) const;
 
   std::uint16_t device_;
   std::uint16_t port_ = 0;
   Socket listener_{-1};
   std::atomic<State> state_{State::kWhole};
   std::atomic<bool> ending_{false};
+  mutable std::mutex mutex_;
+  std::function<std::vector<std::uint8_t>(const std::vector<std::uint8_t>&)> change_;
+  // Of the slow line; the thread's own.
+  mutable std::vector<std::uint8_t> waiting_;
+  mutable std::chrono::steady_clock::time_point slow_since_;
+  mutable std::size_t carried_ = 0;
   std::thread thread_;
 };
 
