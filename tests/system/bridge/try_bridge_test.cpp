@@ -37,6 +37,10 @@ class TryBridge : public ::testing::Test {
     write_file(folder_ / "deploy/scenarios/one_robot.toml",
                read_file(source / "deploy/scenarios/one_robot.toml"));
   }
+  void TearDown() override {
+    for (const pid_t process : processes_in(lock_.domain()))
+      kill(process, SIGTERM);  // of a script that failed
+  }
   [[nodiscard]] static std::vector<std::string> in_namespace(const std::string& script) {
     return {
         "/usr/bin/unshare", "--map-root-user", "--net", "/bin/sh", "-c", "ip link set lo up && " + script};
