@@ -20,6 +20,8 @@ class PatientProcess : public deploy::Process {
   using deploy::Process::Process;
   std::optional<int> wait(std::chrono::milliseconds patience);
   [[nodiscard]] bool prints(const std::string& text, std::chrono::milliseconds patience) const;
+  /// Whether it still runs when this time on the wall clock is over.
+  [[nodiscard]] bool runs_on_for(std::chrono::milliseconds time) { return !deploy::Process::wait(time); }
 };
 
 /// One of our programs as a user starts it. Told to end when this goes out of scope, so that it leaves

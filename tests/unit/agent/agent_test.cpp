@@ -178,7 +178,7 @@ TEST(Agent, ReportsWhatIsSentToItThatIsNotOfTheProtocolOnce) {
   open.sonar_range_m.fill(std::numeric_limits<double>::infinity());
   EXPECT_TRUE(agent.step({0ms, open, {}}).reports);
   EXPECT_FALSE(agent.step({32ms, open, {}}).reports);
-  const Outputs hearing = agent.step({64ms, open, {Frame{kCommonChannel, {0xff}}}});
+  const Outputs hearing = agent.step({64ms, open, {{.channel = kCommonChannel, .bytes = {0xff}}}});
   EXPECT_TRUE(hearing.reports);
   EXPECT_EQ(hearing.report.malformed_frames, 1U);
   EXPECT_FALSE(agent.step({96ms, open, {}}).reports);
