@@ -30,8 +30,12 @@ class GpsSource {
   /// @param expected_W  see FixGate::judge
   [[nodiscard]] std::vector<News> feed(std::span<const std::uint8_t> bytes, const Point& expected_W,
                                        Time now);
-  /// The line is another one now.
-  void restart() { sentences_.restart(); }
+  /// The line is another one now, and so may be the receiver's time.
+  void restart() {
+    sentences_.restart();
+    last_time_of_day_s_.reset();
+    shortest_way_s_.reset();
+  }
 
   /// Between two fixes that were new, the shortest of the last few; none before there were enough.
   [[nodiscard]] std::optional<Time> period() const;
