@@ -19,7 +19,9 @@ struct Overrides {
   std::optional<std::string> pacing;    ///< experiment.pacing
 };
 
-/// The name of a scenario: its key `name`, without it its file's name without the extension.
+/// The name of a scenario, which becomes part of a folder's name: its key `name`, without it its file's name
+/// without the extension, with _ for what no name may have.
+/// @throws StartError when `name` has other letters than a-z, A-Z, 0-9, ._-, more than 64 of them, or none
 [[nodiscard]] std::string name_of(const runtime::TomlDocument& scenario);
 
 /// The text of the scenario with the changes, and its name, in it. Read again it gives the same values, to

@@ -10,6 +10,7 @@
 #include "deploy/kit/actions.hpp"
 #include "deploy/kit/effective_scenario.hpp"
 #include "runtime/config/toml_table.hpp"
+#include "runtime/config/toml_text.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 
 namespace caravan::deploy {
@@ -21,24 +22,12 @@ struct Setting {
   double step_s = 0.032;
 };
 
-toml::table parse(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    throw runtime::StartError{file.string() + ": no such script"};
-  try {
-    return toml::parse_file(file.string());
-  } catch (const toml::parse_error& wrong) {
-    throw runtime::StartError{file.string() + ":" + std::to_string(wrong.source().begin.line) + ": " +
-                              std::string{wrong.description()}};
-  }
-}
-
 Setting setting_of(const Script& script) {
   const auto text = with_changes(script.scenario, script.changes);
   const auto scenario =
       runtime::TomlDocument::parse(text, script.scenario.string() + " with the script's changes");
   Setting setting{runtime::read_robots(scenario).count, 0.032};
-  scenario.table("world").read("step_s", setting.step_s, runtime::kPositive);
+  scenario.table("world").read("step_s", setting.step_s, {0.001, 1.0});
   return setting;
 }
 
@@ -74,7 +63,7 @@ std::optional<std::uint64_t> read_hold(runtime::TomlTable& table, const Setting&
   std::uint32_t step = 0;
   table.read("at_step", step, {1, 4294967295.0});
   double time_s = 0.0;
-  table.read("at_s", time_s, runtime::kPositive);
+  table.read("at_s", time_s, runtime::kTime_s);
   if (table.has("at_step")) return step;
   if (table.has("at_s"))
     return static_cast<std::uint64_t>(std::max(1.0, std::round(time_s / setting.step_s)));
@@ -106,7 +95,7 @@ ScriptStep read_step(runtime::TomlTable table, std::size_t number, const Setting
 }  // namespace
 
 Script load_script(const std::filesystem::path& file) {
-  const toml::table tree = parse(file);
+  const toml::table tree = runtime::parse_toml(runtime::read_toml_file(file, "script"), file.string());
   runtime::TomlTable root{file.string(), "", &tree};
   Script script;
   script.name = file.stem().string();

@@ -6,7 +6,6 @@
 namespace caravan::bridge {
 namespace {
 
-using runtime::kPositive;
 using runtime::Range;
 
 constexpr Range kAngle{-2.0 * std::numbers::pi, 2.0 * std::numbers::pi};
@@ -40,7 +39,7 @@ BridgeTable read_bridge(const runtime::TomlDocument& scenario) {
   table.read("has_compass", values.has_compass);
   table.read("compass_offset_rad", values.compass_offset_rad, kAngle);
   table.read("antenna_m", values.antenna_m, {-2.0, 2.0});
-  table.read("start_m", values.start_m);
+  table.read("start_m", values.start_m, runtime::kPlace_m);
   table.read("start_yaw_rad", values.start_yaw_rad, kAngle);
   table.read("gps_trust", values.gps_trust, kShare);
   table.read("compass_trust", values.compass_trust, kShare);
@@ -50,7 +49,7 @@ BridgeTable read_bridge(const runtime::TomlDocument& scenario) {
   table.read("command_timeout_s", values.command_timeout_s, kTimeout_s);
   table.read("silence_s", values.silence_s, {0.15, 1.9});
   table.read("acceleration_mps2", values.acceleration_mps2, {0.05, 10.0});
-  table.read("low_battery_v", values.low_battery_v, kPositive);
+  table.read("low_battery_v", values.low_battery_v, {1e-9, 100.0});
   table.read("has_gripper", values.has_gripper);
   table.read("watchdog_s", values.watchdog_s, kTimeout_s);
   table.refuse_unknown();

@@ -10,17 +10,16 @@
 namespace caravan::agent {
 namespace {
 
-using runtime::kNotNegative;
+using runtime::kLength_m;
 using runtime::kPositive;
 using runtime::Range;
 
 constexpr Range kAngle{1e-9, std::numbers::pi};
-constexpr double kLongestTime_s = 1e9;
 
 void read_time(runtime::TomlTable& table, const char* key, std::chrono::nanoseconds& value,
                double least_s = 0.0) {
   double seconds = std::chrono::duration<double>(value).count();
-  table.read(key, seconds, {least_s, kLongestTime_s});
+  table.read(key, seconds, {least_s, runtime::kTime_s.high});
   value = std::chrono::nanoseconds{std::llround(seconds * 1e9)};
 }
 
@@ -39,24 +38,24 @@ void take_robots(const runtime::RobotsTable& robots, Config& config) {
 }
 
 void read_driving(runtime::TomlTable& table, Config& config) {
-  table.read("exploration_step_m", config.exploration_step_m, kPositive);
+  table.read("exploration_step_m", config.exploration_step_m, kLength_m);
   table.read("exploration_spread_rad", config.exploration_spread_rad, kAngle);
   table.read("cruise_mps", config.cruise_mps, kPositive);
   table.read("slow_mps", config.slow_mps, kPositive);
-  table.read("slow_below_m", config.slow_below_m, kPositive);
-  table.read("too_close_m", config.too_close_m, kPositive);
-  table.read("meeting_m", config.meeting_m, kPositive);
-  table.read("keep_clear_m", config.keep_clear_m, kNotNegative);
-  table.read("arrival_radius_m", config.arrival_radius_m, kPositive);
+  table.read("slow_below_m", config.slow_below_m, kLength_m);
+  table.read("too_close_m", config.too_close_m, kLength_m);
+  table.read("meeting_m", config.meeting_m, kLength_m);
+  table.read("keep_clear_m", config.keep_clear_m, {0.0, kLength_m.high});
+  table.read("arrival_radius_m", config.arrival_radius_m, kLength_m);
   read_time(table, "gripper_patience_s", config.gripper_patience, 0.001);
 }
 
 void read_path(runtime::TomlTable& table, Config& config) {
   table.read("point_spacing_m", config.point_spacing_m, {0.05, 100.0});
-  table.read("vision_radius_m", config.vision_radius_m, kPositive);
-  table.read("detection_radius_m", config.detection_radius_m, kPositive);
-  table.read("corridor_m", config.corridor_m, kPositive);
-  table.read("shortcut_gain_m", config.shortcut_gain_m, kPositive);
+  table.read("vision_radius_m", config.vision_radius_m, kLength_m);
+  table.read("detection_radius_m", config.detection_radius_m, kLength_m);
+  table.read("corridor_m", config.corridor_m, kLength_m);
+  table.read("shortcut_gain_m", config.shortcut_gain_m, kLength_m);
   read_time(table, "shortcut_pause_s", config.shortcut_pause);
 }
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "runtime/config/toml_text.hpp"
+
 namespace caravan::runtime {
 namespace {
 
@@ -16,11 +18,6 @@ constexpr std::array<std::string_view, 8> kRootKeys = {"name",  "seed",      "wo
 std::string at_line(const std::string& file, const toml::node* node) {
   if (node == nullptr || node->source().begin.line == 0) return file;
   return file + ":" + std::to_string(node->source().begin.line);
-}
-
-[[noreturn]] void fail_to_parse(const std::string& file, const toml::parse_error& wrong) {
-  throw StartError{file + ":" + std::to_string(wrong.source().begin.line) + ": " +
-                   std::string{wrong.description()}};
 }
 
 std::string in_words(double value) {
@@ -33,7 +30,8 @@ std::string out_of_range(double value, Range range) {
   const bool has_low = range.low > -std::numeric_limits<double>::max();
   const bool has_high = range.high < std::numeric_limits<double>::max();
   const std::string is = ", is " + in_words(value);
-  if (range.low == kPositive.low && !has_high) return "must be above 0" + is;
+  if (range.low == kPositive.low)
+    return "must be above 0" + (has_high ? " and at most " + in_words(range.high) : "") + is;
   if (has_low && has_high) return "must be " + in_words(range.low) + " to " + in_words(range.high) + is;
   return has_low ? "must be at least " + in_words(range.low) + is
                  : "must be at most " + in_words(range.high) + is;
@@ -141,7 +139,7 @@ void TomlTable::read(std::string_view key, std::array<double, 2>& value, Range r
   value = *pair;
 }
 
-void TomlTable::read(std::string_view key, std::vector<std::array<double, 2>>& value) {
+void TomlTable::read(std::string_view key, std::vector<std::array<double, 2>>& value, Range range) {
   const toml::node* node = find(key);
   if (node == nullptr) return;
   const toml::array* array = node->as_array();
@@ -149,7 +147,7 @@ void TomlTable::read(std::string_view key, std::vector<std::array<double, 2>>& v
   value.clear();
   for (const toml::node& element : *array) {
     std::string wrong;
-    const auto pair = pair_in(element, {}, wrong);
+    const auto pair = pair_in(element, range, wrong);
     if (!pair) fail_at(&element, key, wrong);
     value.push_back(*pair);
   }
@@ -208,24 +206,11 @@ TomlDocument::TomlDocument(std::string file, std::shared_ptr<const toml::table> 
 }
 
 TomlDocument TomlDocument::load(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    throw StartError{file.string() + ": no such scenario file"};
-  }
-  try {
-    return {file.string(), std::make_shared<const toml::table>(toml::parse_file(file.string()))};
-  } catch (const toml::parse_error& wrong) {
-    fail_to_parse(file.string(), wrong);
-  }
+  return parse(read_toml_file(file, "scenario file"), file.string());
 }
 
 TomlDocument TomlDocument::parse(std::string_view text, std::string name) {
-  std::shared_ptr<const toml::table> tree;
-  try {
-    tree = std::make_shared<const toml::table>(toml::parse(text));
-  } catch (const toml::parse_error& wrong) {
-    fail_to_parse(name, wrong);
-  }
+  auto tree = std::make_shared<const toml::table>(parse_toml(text, name));
   return {std::move(name), std::move(tree)};
 }
 

@@ -31,6 +31,12 @@ struct Range {
 inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::max()};
 /// Above zero by more than rounding.
 inline constexpr Range kPositive{1e-9, std::numeric_limits<double>::max()};
+/// Seconds that become nanoseconds, and a sum of some of them, in 64 bits; on the wire a stamp has 31 bits
+/// for its seconds.
+inline constexpr Range kTime_s{1e-9, 1e9};
+/// Metres; their squares and the cells that they are counted in stay in range by far.
+inline constexpr Range kLength_m{1e-9, 1e6};
+inline constexpr Range kPlace_m{-1e6, 1e6};
 
 /// One table of a scenario, read strictly: a value of the wrong type or out of range, and after reading every
 /// key that nobody asked for, is a StartError `file:line: table.key: reason`. A missing key leaves the
@@ -47,7 +53,7 @@ class TomlTable {
   /// A pair of numbers [x, y].
   void read(std::string_view key, std::array<double, 2>& value, Range range = {});
   /// A list of such pairs.
-  void read(std::string_view key, std::vector<std::array<double, 2>>& value);
+  void read(std::string_view key, std::vector<std::array<double, 2>>& value, Range range = {});
   /// One of the given words; sets `value` to its index.
   void read_choice(std::string_view key, std::size_t& value, std::initializer_list<std::string_view> words);
 

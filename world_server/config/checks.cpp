@@ -8,6 +8,10 @@ namespace caravan::world {
 namespace {
 
 constexpr double kRounding = 1e-6;
+// A world beyond these is a slip of a program, and takes minutes to check or more memory than there is.
+constexpr std::size_t kMostPoints = 1000;  // of an outline
+constexpr std::size_t kMostSolids = 10'000;
+constexpr double kMostCover = 20.0;  // arenas
 
 template <typename... Parts>
 std::string words(const Parts&... parts) {
@@ -46,6 +50,21 @@ void check_site(const runtime::TomlTable& robots, std::string_view key, Point si
   }
 }
 
+void check_amount(const runtime::TomlTable& world, const WorldConfig& config) {
+  const std::vector<Solid> solids = solids_of(config);
+  if (solids.size() > kMostSolids) {
+    world.fail("arena_m", words("holds ", solids.size(), " obstacles; at most ", kMostSolids));
+  }
+  double area = 0.0;
+  for (const Solid& solid : solids) {
+    const Point size = extent_of(solid).high - extent_of(solid).low;
+    area += size.x * size.y;
+  }
+  if (area > kMostCover * config.arena_m[0] * config.arena_m[1]) {
+    world.fail("arena_m", words("is covered more than ", kMostCover, " times over by its obstacles"));
+  }
+}
+
 }  // namespace
 
 void check_solid(const runtime::TomlTable& table, std::string_view key, const Solid& solid,
@@ -58,6 +77,9 @@ void check_solid(const runtime::TomlTable& table, std::string_view key, const So
 void check_outline(const runtime::TomlTable& table, const Outline& outline) {
   if (outline.points_m.size() < 3) {
     table.fail("points_m", words("needs at least 3 points, has ", outline.points_m.size()));
+  }
+  if (outline.points_m.size() > kMostPoints) {
+    table.fail("points_m", words("has ", outline.points_m.size(), " points; at most ", kMostPoints));
   }
   const Polygon polygon = counter_clockwise(outline);
   if (!is_simple(polygon)) {
@@ -74,6 +96,7 @@ void check_outline(const runtime::TomlTable& table, const Outline& outline) {
 }
 
 void check_world(const runtime::TomlTable& world, const WorldConfig& config) {
+  check_amount(world, config);
   if (config.start_low_m[0] > config.start_high_m[0] || config.start_low_m[1] > config.start_high_m[1]) {
     world.fail("start_high_m",
                "must not be below start_low_m: give the lower left and the upper right corner");

@@ -10,8 +10,12 @@
 namespace caravan::world {
 namespace {
 
-using runtime::kPositive;
+using runtime::kPlace_m;
 using runtime::TomlTable;
+
+// Of solid things: beyond them ODE computes with nothing or with infinity.
+constexpr runtime::Range kSize_m{0.001, 100000.0};
+constexpr runtime::Range kHeight_m{0.001, 1000.0};
 
 void require(TomlTable& table, std::string_view key) {
   if (!table.has(key)) table.fail(key, "is missing: write it into this table");
@@ -21,10 +25,10 @@ Box read_box(TomlTable& table, const WorldConfig& config) {
   Box box;
   require(table, "centre_m");
   require(table, "size_m");
-  table.read("centre_m", box.centre_m);
-  table.read("size_m", box.size_m, kPositive);
+  table.read("centre_m", box.centre_m, kPlace_m);
+  table.read("size_m", box.size_m, kSize_m);
   table.read("yaw_rad", box.yaw_rad, {-2.0 * std::numbers::pi, 2.0 * std::numbers::pi});
-  table.read("height_m", box.height_m, kPositive);
+  table.read("height_m", box.height_m, kHeight_m);
   table.refuse_unknown();
   check_solid(table, "centre_m", to_solid(box), config);
   return box;
@@ -34,9 +38,9 @@ Cylinder read_cylinder(TomlTable& table, const WorldConfig& config) {
   Cylinder cylinder;
   require(table, "centre_m");
   require(table, "radius_m");
-  table.read("centre_m", cylinder.centre_m);
-  table.read("radius_m", cylinder.radius_m, kPositive);
-  table.read("height_m", cylinder.height_m, kPositive);
+  table.read("centre_m", cylinder.centre_m, kPlace_m);
+  table.read("radius_m", cylinder.radius_m, kSize_m);
+  table.read("height_m", cylinder.height_m, kHeight_m);
   table.refuse_unknown();
   check_solid(table, "centre_m", to_solid(cylinder), config);
   return cylinder;
@@ -45,8 +49,8 @@ Cylinder read_cylinder(TomlTable& table, const WorldConfig& config) {
 Outline read_outline(TomlTable& table, const WorldConfig& config) {
   Outline outline;
   require(table, "points_m");
-  table.read("points_m", outline.points_m);
-  table.read("height_m", outline.height_m, kPositive);
+  table.read("points_m", outline.points_m, kPlace_m);
+  table.read("height_m", outline.height_m, kHeight_m);
   table.refuse_unknown();
   check_outline(table, outline);
   check_solid(table, "points_m", to_solid(outline), config);
@@ -71,10 +75,10 @@ void read_world(TomlTable& table, WorldConfig& config) {
   table.read("step_s", config.step_s, {0.001, 1.0});
   table.read("substeps", config.substeps, {1, 1000});
   table.read("arena_m", config.arena_m, {1.0, 100000.0});
-  table.read("wall_height_m", config.wall_height_m, kPositive);
-  table.read("start_low_m", config.start_low_m);
-  table.read("start_high_m", config.start_high_m);
-  table.read("start_spacing_m", config.start_spacing_m, kPositive);
+  table.read("wall_height_m", config.wall_height_m, kHeight_m);
+  table.read("start_low_m", config.start_low_m, kPlace_m);
+  table.read("start_high_m", config.start_high_m, kPlace_m);
+  table.read("start_spacing_m", config.start_spacing_m, {0.01, 100.0});
   table.read("arena_for_robots", config.arena_for_robots);
   make_room(table, config);
   for (TomlTable& box : table.tables("box")) config.boxes.push_back(read_box(box, config));

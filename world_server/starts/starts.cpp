@@ -17,7 +17,8 @@ constexpr std::uint64_t kStream = 0x5741525453;  // of random numbers; any const
 constexpr int kTries = 300;                      // for a place in an area before the area grows
 constexpr double kGrowth = 1.0;                  // m on each side
 constexpr double kLattice = 0.1;
-constexpr double kClearance = 0.05;  // m between a body, however turned, and anything solid
+constexpr double kMostSteps = 5000.0;  // of the lattice along the arena: a larger one has wider steps
+constexpr double kClearance = 0.05;    // m between a body, however turned, and anything solid
 
 /// Free ground, and the robots that stand on it so far.
 class Ground {
@@ -48,7 +49,8 @@ class Ground {
 
   /// A free place somewhere on the lattice, from the lower left on.
   [[nodiscard]] std::optional<Point> search() const {
-    const auto across = [](double from, int steps) { return from + steps * kLattice; };
+    const double step = std::max(kLattice, std::max(high_.x - low_.x, high_.y - low_.y) / kMostSteps);
+    const auto across = [step](double from, int steps) { return from + steps * step; };
     for (int row = 0; across(low_.y, row) <= high_.y; ++row) {
       for (int column = 0; across(low_.x, column) <= high_.x; ++column) {
         const Point place{across(low_.x, column), across(low_.y, row)};

@@ -52,6 +52,25 @@ TEST(AgentConfig, TrafficAndStopsToExchangeCanBeSwitchedOff) {
   EXPECT_TRUE(Config{}.stop_to_exchange);
 }
 
+TEST(AgentConfig, EveryNumberIsBounded) {
+  for (const char* key : {"exploration_step_m", "exploration_spread_rad",
+                          "cruise_mps",         "slow_mps",
+                          "slow_below_m",       "too_close_m",
+                          "meeting_m",          "keep_clear_m",
+                          "arrival_radius_m",   "gripper_patience_s",
+                          "point_spacing_m",    "vision_radius_m",
+                          "detection_radius_m", "corridor_m",
+                          "shortcut_gain_m",    "shortcut_pause_s",
+                          "sharing_starts_s",   "recontact_after_s",
+                          "wait_period_s",      "accept_period_s",
+                          "session_timer_s"}) {
+    SCOPED_TRACE(key);
+    const auto scenario = TomlDocument::parse("[algorithm]\n" + std::string{key} + " = 1e150\n", "a.toml");
+    EXPECT_THAT([&] { (void)load_config(scenario, 1); },
+                ThrowsMessage<StartError>(HasSubstr("a.toml:2: algorithm." + std::string{key} + ": must ")));
+  }
+}
+
 struct Refused {
   const char* text;
   const char* message;

@@ -166,6 +166,68 @@ TEST(WorldConfig, RefusesObstaclesInAnArenaThatGrows) {
               HasSubstr("world.arena_for_robots"));
 }
 
+TEST(WorldConfig, RefusesTimesThatAreNoNanosecondsAnyMore) {
+  Scenario scenario;
+  for (const std::string key : {"max_time_s", "start_timeout_s"}) {
+    for (const std::string value : {"1e10", "9.3e9", "1e300", "0.0", "-1.0"}) {
+      scenario.experiment = key + " = " + value + "\n";
+      EXPECT_THAT(scenario.refusal(),
+                  StartsWith("test.toml:5: experiment." + key + ": must be above 0 and at most 1e+09, is "));
+    }
+    scenario.experiment = key + " = 1e9\nitems = 4\n";
+    EXPECT_NO_THROW(static_cast<void>(scenario.load()));
+  }
+}
+
+TEST(WorldConfig, RefusesBodiesThatNoPhysicsCanStep) {
+  for (const std::string key : {"wheel_radius_m", "mass_kg", "body_length_m", "body_width_m", "body_height_m",
+                                "body_ahead_m", "track_m", "wheel_limit_mps"}) {
+    for (const std::string value : {"1e-9", "1e-6", "1e150", "1e300"}) {
+      Scenario scenario;
+      scenario.robots += key + " = " + value + "\n";
+      EXPECT_THAT(scenario.refusal(), StartsWith("test.toml:4: robots." + key + ": must be ")) << value;
+    }
+  }
+}
+
+TEST(WorldConfig, BoundsEveryNumberThatItSquaresOrCountsCellsIn) {
+  for (const std::string key : {"service_radius_m", "gps_noise_m", "compass_noise_rad"}) {
+    Scenario scenario;
+    scenario.robots += key + " = 1e200\n";
+    EXPECT_THAT(scenario.refusal(), StartsWith("test.toml:4: robots." + key + ": must be ")) << key;
+  }
+  for (const std::string key : {"range_m", "noise"}) {
+    Scenario scenario;
+    scenario.robots += "sonar." + key + " = 1e200\n";
+    EXPECT_THAT(scenario.refusal(), HasSubstr("robots.sonar." + key + ": must be ")) << key;
+  }
+  for (const std::string key : {"wall_height_m", "start_spacing_m"}) {
+    EXPECT_THAT(Scenario{}.with(key + " = 1e200\n").refusal(), HasSubstr("world." + key + ": must be "))
+        << key;
+  }
+  for (const std::string obstacle : {"box]]\ncentre_m = [1e200, 0.0]\nsize_m = [1.0, 1.0]",
+                                     "box]]\ncentre_m = [0.0, 0.0]\nsize_m = [1e-7, 1.0]",
+                                     "box]]\nsize_m = [1.0, 1.0]\ncentre_m = [0.0, 0.0]\nheight_m = 1e200",
+                                     "cylinder]]\ncentre_m = [0.0, 0.0]\nradius_m = 1e200",
+                                     "outline]]\npoints_m = [[0.0, 0.0], [1e200, 0.0], [0.0, 1e200]]"}) {
+    EXPECT_THAT(Scenario{}.with("[[world." + obstacle + "\n").refusal(), HasSubstr("must be ")) << obstacle;
+  }
+}
+
+TEST(WorldConfig, RefusesMoreObstaclesThanAnybodyWrites) {
+  std::string points;
+  for (int i = 0; i <= 1000; ++i) points += (i == 0 ? "[" : ", [") + std::to_string(0.001 * i) + ", 0.0]";
+  EXPECT_THAT(Scenario{}.with("[[world.outline]]\npoints_m = [" + points + "]\n").refusal(),
+              HasSubstr("world.outline.points_m: has 1001 points; at most 1000"));
+  std::string boxes;
+  for (int i = 0; i <= 10'000; ++i) boxes += "[[world.box]]\ncentre_m = [0.0, 0.0]\nsize_m = [0.01, 0.01]\n";
+  EXPECT_THAT(Scenario{}.with(boxes).refusal(), HasSubstr("world.arena_m: holds 10001 obstacles"));
+  std::string covers;
+  for (int i = 0; i < 41; ++i) covers += "[[world.box]]\ncentre_m = [0.0, 3.0]\nsize_m = [12.0, 6.0]\n";
+  EXPECT_THAT(Scenario{}.with(covers).refusal(),
+              HasSubstr("world.arena_m: is covered more than 20 times over"));
+}
+
 class ShippedScenario : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ShippedScenario, Loads) {

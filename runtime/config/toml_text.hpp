@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace toml {
+inline namespace v3 {
+class table;
+}  // namespace v3
+}  // namespace toml
+
+namespace caravan::runtime {
+
+/// The text of a TOML file.
+/// @param kind  of file, for messages, such as "scenario file"
+/// @throws StartError when it is missing, no regular file, unreadable, or longer than 4 MB
+[[nodiscard]] std::string read_toml_file(const std::filesystem::path& file, const std::string& kind);
+
+/// Parses text that may be hostile: tables nested deeply enough to exhaust the stack are refused before the
+/// parser sees them.
+/// @throws StartError `name:line: reason`
+[[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& name);
+
+}  // namespace caravan::runtime
