@@ -5,10 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/config/start_error.hpp"
 #include "runtime/pure/assert.hpp"
 #include "runtime/pure/canonical_bytes.hpp"
 #include "runtime/pure/hash_chain.hpp"
 #include "world_server/physics/dynamics.hpp"
+#include "world_server/physics/physics_error.hpp"
 #include "world_server/referee/contact_episodes.hpp"
 #include "world_server/referee/items.hpp"
 #include "world_server/sensors/devices.hpp"
@@ -123,7 +125,10 @@ struct World::Impl {
   std::vector<ContactEpisode> begun;
 };
 
-World::World(const WorldConfig& config) : impl_{std::make_unique<Impl>(config)} {}
+World::World(const WorldConfig& config) try : impl_{std::make_unique<Impl>(config)} {
+} catch (const PhysicsError& error) {
+  throw runtime::StartError{std::string{"robots: the physics refuses such a body: "} + error.what()};
+}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -160,6 +165,8 @@ void World::advance(std::span<const std::optional<Command>> commands) {
   impl_->sonars.place(impl_->dynamics.poses());
   impl_->referee();
 }
+
+const std::string& World::complaint() const { return impl_->dynamics.complaint(); }
 
 std::string World::place(std::uint32_t robot, const Pose& pose) {
   CARAVAN_ASSERT(robot >= 1 && robot <= impl_->count);

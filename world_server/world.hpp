@@ -18,7 +18,7 @@ namespace caravan::world {
 /// and commands give equal bits on one machine type.
 class World {
  public:
-  /// @throws runtime::StartError when the robots do not fit into the arena
+  /// @throws runtime::StartError when the robots do not fit into the arena, or the physics refuses their body
   explicit World(const WorldConfig& config);
   ~World();
   World(World&&) noexcept;
@@ -32,6 +32,7 @@ class World {
 
   /// Grippers act at the present poses, then physics runs for one step.
   /// @param commands [0] is robot 1; none: wheels stopped, gripper as it was
+  /// @throws PhysicsError when the physics cannot go on; afterwards this world is of no use
   void advance(std::span<const std::optional<Command>> commands);
 
   /// Puts a robot somewhere else, at rest, with what it holds; it senses the new place at once.
@@ -50,6 +51,8 @@ class World {
   [[nodiscard]] Time now() const;                                  ///< step() * period
   [[nodiscard]] std::span<const ContactEpisode> contacts() const;  ///< that began in the last step
   [[nodiscard]] std::span<const ItemEvent> item_events() const;    ///< of the last step
+  /// What the physics complained of in the last step, without being in need to end (Dynamics::complaint).
+  [[nodiscard]] const std::string& complaint() const;
   [[nodiscard]] std::uint32_t items_delivered() const;
   [[nodiscard]] std::uint64_t empty_closings() const;  ///< gripper closings that held nothing
   [[nodiscard]] bool finished() const;                 ///< all items delivered, or the time is over

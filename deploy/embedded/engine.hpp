@@ -34,6 +34,8 @@ class Engine {
   /// The run is decided: items delivered, or time over.
   [[nodiscard]] bool finished() const { return world_.finished(); }
   [[nodiscard]] Time now() const { return world_.now(); }
+  /// What the physics complained of in the last step; empty: nothing.
+  [[nodiscard]] const std::string& complaint() const { return world_.complaint(); }
   [[nodiscard]] std::string digest() const;
   /// What the last step added to the world's and to the radio's hash chain; valid until the next.
   [[nodiscard]] std::span<const std::uint8_t> world_link() const { return world_.chain_link(); }

@@ -9,6 +9,7 @@
 #include "runtime/config/write_error.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 #include "runtime/trace/trace_file.hpp"
+#include "world_server/physics/physics_error.hpp"
 
 namespace caravan::deploy {
 namespace {
@@ -76,19 +77,25 @@ int run_embedded(const RunRequest& request) {
     return end;
   };
   bool stopped = false;
+  bool told = false;
   std::string failure;
   try {
     while (!engine.finished() && !stopped && record.is_whole()) {
       record.observe(engine.step());
+      if (!told && !engine.complaint().empty()) std::fprintf(stderr, "%s\n", engine.complaint().c_str());
+      told = told || !engine.complaint().empty();
       trace.record(engine);
       record.keep_up(so_far);
       stopped = !pace.wait_for(engine.now());
     }
+    record.observe(engine.last());
   } catch (const runtime::WriteError& error) {
     failure = error.what();
-    std::fprintf(stderr, "%s\n", failure.c_str());
+    record.observe(engine.last());
+  } catch (const world::PhysicsError& error) {
+    failure = error.what();
   }
-  record.observe(engine.last());
+  if (!failure.empty()) std::fprintf(stderr, "%s\n", failure.c_str());
   RunEnd end = so_far();
   end.interrupted = stopped;
   end.failure = failure;

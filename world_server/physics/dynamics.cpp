@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <string>
 #include <vector>
 
+#include "world_server/physics/physics_error.hpp"
 #include "world_server/physics/stage.hpp"
 #include "world_server/shapes/neighbours.hpp"
 
@@ -41,9 +44,10 @@ struct Dynamics::Impl {
   void advance() {
     OdeSession::prepare_thread();
     touches.clear();
+    complaint.clear();
     find_pairs();
     for (std::uint32_t robot = 0; robot < robots.size(); ++robot) {
-      if (present[robot] && !company[robot]) step_loner(robot);
+      if (present[robot] && !company[robot]) naming({robot}, [&] { step_loner(robot); });
     }
     if (!pairs.empty()) {
       for (std::uint32_t i = 0; i < substeps; ++i) step_company();
@@ -110,6 +114,26 @@ struct Dynamics::Impl {
     state.left_rad += seconds * state.left_rate;
     state.right_rad += seconds * state.right_rate;
     poses[robot] = pose_of(state, plan);
+    const Pose& pose = poses[robot];
+    if (!std::isfinite(pose.x_m + pose.y_m + pose.yaw_rad)) throw PhysicsError{"it has no place any more"};
+  }
+
+  /// Does work on these robots; what ODE makes of it is told with their numbers.
+  template <typename Work>
+  void naming(std::initializer_list<std::uint32_t> who, const Work& work) {
+    const auto named = [&](const std::string& what) {
+      std::string names;
+      for (const std::uint32_t robot : who)
+        names += (names.empty() ? "robot " : " and robot ") + std::to_string(robot + 1);
+      return names + ": " + what;
+    };
+    try {
+      work();
+    } catch (const PhysicsError& error) {
+      throw PhysicsError{named(error.what())};
+    }
+    const std::string said = OdeSession::take_complaint();
+    if (!said.empty() && complaint.empty()) complaint = named(said);
   }
 
   [[nodiscard]] Point base_of(std::uint32_t robot) const { return {poses[robot].x_m, poses[robot].y_m}; }
@@ -120,13 +144,13 @@ struct Dynamics::Impl {
   void step_company() {
     find_meetings();
     for (const Meeting& meeting : meetings) {
-      if (is_crowd(meeting)) push_apart(meeting);
+      if (is_crowd(meeting)) naming({meeting.a, meeting.b}, [&] { push_apart(meeting); });
     }
     for (const Meeting& meeting : meetings) {
-      if (!is_crowd(meeting)) step_couple(meeting);
+      if (!is_crowd(meeting)) naming({meeting.a, meeting.b}, [&] { step_couple(meeting); });
     }
     for (std::uint32_t robot = 0; robot < robots.size(); ++robot) {
-      if (company[robot] && partners[robot] != kStepped) step_alone(robot);
+      if (company[robot] && partners[robot] != kStepped) naming({robot}, [&] { step_alone(robot); });
     }
   }
 
@@ -136,9 +160,13 @@ struct Dynamics::Impl {
     for (const auto& [a, b] : pairs) {
       const Point apart = base_of(b) - base_of(a);
       if (dot(apart, apart) > 4.0 * hull_radius * hull_radius) continue;
-      couple.enter(0, robots[a]);
-      couple.enter(1, robots[b]);
-      if (!couple.meet()) continue;
+      bool touching = false;
+      naming({a, b}, [&, one = a, other = b] {
+        couple.enter(0, robots[one]);
+        couple.enter(1, robots[other]);
+        touching = couple.meet();
+      });
+      if (!touching) continue;
       touches.push_back({a + 1, b + 1});
       ++partners[a];
       ++partners[b];
@@ -196,6 +224,7 @@ struct Dynamics::Impl {
   std::vector<Pose> poses;
   std::vector<bool> present;  // by robot: is it in the world?
   std::vector<Touch> touches;
+  std::string complaint;  // of the last step
   Neighbours neighbours;
   std::vector<Point> places;
   std::vector<std::uint32_t> found;
@@ -247,6 +276,7 @@ Stance Dynamics::stance(std::size_t robot) const {
           .lift_m = lift_of(state, impl_->plan)};
 }
 
+const std::string& Dynamics::complaint() const { return impl_->complaint; }
 std::span<const Touch> Dynamics::touches() const { return impl_->touches; }
 
 }  // namespace caravan::world

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 
 #include "world_server/config/world_config.hpp"
 #include "world_server/types.hpp"
@@ -30,6 +31,7 @@ struct Stance {
 /// else runs in the process. Robots are indexed from 0 here.
 class Dynamics {
  public:
+  /// @throws PhysicsError when ODE refuses such a body
   Dynamics(const WorldConfig& config, std::span<const Pose> starts);
   ~Dynamics();
   Dynamics(Dynamics&&) noexcept;
@@ -48,13 +50,17 @@ class Dynamics {
   /// Takes a robot out: nothing touches it, and its pose is NaN, until it is placed.
   void remove(std::size_t robot);
 
-  /// One step of config.step_s.
+  /// One step of config.step_s. @throws PhysicsError naming the robots of which ODE can make nothing
   void advance();
 
   [[nodiscard]] std::span<const Pose> poses() const;
   [[nodiscard]] double left_wheel_rad(std::size_t robot) const;
   [[nodiscard]] double right_wheel_rad(std::size_t robot) const;
   [[nodiscard]] Stance stance(std::size_t robot) const;
+  /// What ODE's solver complained of in the last step, with the robots' numbers; empty: nothing. It has gone
+  /// on with what it had, which is right to the eye where bodies lie flat against each other, and a guess
+  /// elsewhere.
+  [[nodiscard]] const std::string& complaint() const;
   /// During the last step: sorted, each pair once.
   [[nodiscard]] std::span<const Touch> touches() const;
 

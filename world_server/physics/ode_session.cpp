@@ -1,10 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world_server/physics/ode_session.hpp"
 
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+#include <string>
+#include <utility>
+
 #include "runtime/pure/assert.hpp"
+#include "world_server/physics/physics_error.hpp"
 
 namespace caravan::world {
 namespace {
+
+// What ODE complained of in this thread since the last look. It says so to a handler, and its functions
+// return nothing that tells.
+thread_local std::string complaint;
+
+std::string in_words(const char* format, va_list values) {
+  std::array<char, 400> text{};
+  (void)std::vsnprintf(text.data(), text.size(), format, values);
+  return std::string{"ODE: "} + text.data();
+}
+
+/// The solver has met a case that is not determined; ODE goes on with what it has.
+void on_message(int /*number*/, const char* format, va_list values) {
+  if (complaint.empty()) complaint = in_words(format, values);
+}
+
+/// A failed assertion or an error. When this returns ODE ends the process.
+[[noreturn]] void on_failure(int /*number*/, const char* format, va_list values) {
+  throw PhysicsError{in_words(format, values)};
+}
 
 /// ODE is opened once for a process and stays open: closing it would pull it away from other worlds. Its
 /// random numbers are those of the process; the solver that we use draws none.
@@ -12,6 +39,9 @@ void open_ode() {
   static const bool opened = [] {
     const int result = dInitODE2(0);
     dRandSetSeed(1);
+    dSetMessageHandler(on_message);
+    dSetErrorHandler(on_failure);
+    dSetDebugHandler(on_failure);
     return result != 0;
   }();
   CARAVAN_ASSERT(opened);
@@ -27,10 +57,23 @@ OdeSession::OdeSession()
 }
 
 OdeSession::~OdeSession() {
+  if (is_broken_) return;  // ODE's jobs of the step are still listed: it would fail its assertions again
   dJointGroupDestroy(contacts_);
   dWorldDestroy(world_);
   dThreadingFreeImplementation(threading_);
 }
+
+void OdeSession::step(double seconds) {
+  try {
+    dWorldStep(world_, seconds);
+  } catch (const PhysicsError&) {
+    is_broken_ = true;
+    throw;
+  }
+  dJointGroupEmpty(contacts_);
+}
+
+std::string OdeSession::take_complaint() { return std::exchange(complaint, ""); }
 
 void OdeSession::prepare_thread() {
   thread_local const int prepared =

@@ -71,9 +71,4 @@ void Stage::hold_apart(std::span<const dContactGeom> contacts) { world::hold_apa
 
 void Stage::push_apart(std::span<const dContactGeom> contacts) { world::push_apart(contacts, spring_); }
 
-void Stage::step(double seconds) {
-  dWorldStep(ode_.world(), seconds);
-  dJointGroupEmpty(ode_.contacts());
-}
-
 }  // namespace caravan::world

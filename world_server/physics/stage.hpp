@@ -41,7 +41,7 @@ class Stage {
   /// By forces with which they leave. `contacts` are those of a meet() of the same two.
   void push_apart(std::span<const dContactGeom> contacts);
   /// One physics step.
-  void step(double seconds);
+  void step(double seconds) { ode_.step(seconds); }
 
  private:
   void collide_with_floor(std::size_t place);

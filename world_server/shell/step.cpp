@@ -6,6 +6,7 @@
 
 #include "idl/stamp.hpp"
 #include "runtime/pure/digest.hpp"
+#include "world_server/physics/physics_error.hpp"
 #include "world_server/shell/wire.hpp"
 #include "world_server/shell/world_shell.hpp"
 
@@ -91,6 +92,7 @@ void WorldShell::progress() {
         open_step();
         break;
       case Phase::kFinished:
+      case Phase::kFailed:
         return;
     }
   }
@@ -162,11 +164,26 @@ void WorldShell::advance() {
     auto& command = commands_[robot - 1];
     if (command && control_.is_held(robot)) command->left_mps = command->right_mps = 0.0;
   }
-  world_.advance(commands_);
+  try {
+    world_.advance(commands_);
+  } catch (const PhysicsError& error) {
+    fail(error.what());
+    return;
+  }
+  if (!world_.complaint().empty() && tallies_.physics_complaints++ == 0) {
+    spdlog::warn("{} t={:.3f}: the solver goes on with what it has (further ones are counted)",
+                 world_.complaint(), std::chrono::duration<double>(stamp_).count());
+  }
   truth_.reported(std::exchange(reporting_, {}));
   if (trace_) trace_->record(world_.chain_link());
   if (config_.experiment.pacing != Pacing::kFree) commands_.assign(commands_.size(), std::nullopt);
   phase_ = Phase::kAdvanced;
+}
+
+void WorldShell::fail(const std::string& reason) {
+  phase_ = Phase::kFailed;
+  failure_ = reason;
+  loop_.notify();  // the main thread tells it and ends
 }
 
 void WorldShell::finish() {
@@ -180,6 +197,8 @@ void WorldShell::finish() {
   publish_status(tallies_.ended);
   spdlog::info("finished sim_s={:.3f} items={} digest={}", std::chrono::duration<double>(stamp_).count(),
                world_.items_delivered(), digest_.empty() ? "none" : digest_);
+  if (tallies_.physics_complaints > 1)
+    spdlog::warn("the physics' solver complained in {} steps", tallies_.physics_complaints);
 }
 
 }  // namespace caravan::world

@@ -20,6 +20,11 @@ int WorldShell::run() {
       const std::lock_guard lock{mutex_};
       const Wall now = std::chrono::steady_clock::now();
       watch(now);
+      if (phase_ == Phase::kFailed) {
+        spdlog::error("t={:.3f} s: {}: the run ends here", std::chrono::duration<double>(stamp_).count(),
+                      failure_);
+        return runtime::kFailed;
+      }
       if (phase_ == Phase::kWaiting && now - began > patience) {
         spdlog::error("nobody to start with after {} s: {} missing", config_.experiment.start_timeout_s,
                       fmt::join(missing(), ", "));
@@ -54,6 +59,7 @@ void WorldShell::free_step() {
     if (commands_[i] && stamp_ - commanded_at_[i] > kDeadman) commands_[i].reset();
   }
   advance();
+  if (phase_ == Phase::kFailed) return;
   phase_ = Phase::kClosed;
   if (world_.finished()) return finish();
   reach_boundary();

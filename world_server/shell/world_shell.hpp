@@ -47,7 +47,7 @@ class WorldShell {
   int run();
 
  private:
-  enum class Phase : std::uint8_t { kWaiting, kOpen, kAdvanced, kClosed, kFinished };
+  enum class Phase : std::uint8_t { kWaiting, kOpen, kAdvanced, kClosed, kFinished, kFailed };
 
   // What arrives.
   void on_command(std::uint32_t robot, const caravan_interfaces::msg::RobotCommand& sample,
@@ -80,6 +80,8 @@ class WorldShell {
   void publish_truth(bool last);
   void advance();
   void finish();
+  /// The physics cannot go on.
+  void fail(const std::string& reason);
 
   // The main thread.
   void watch(Wall now);
@@ -127,6 +129,7 @@ class WorldShell {
   Wall told_due_{};  // the main thread has been woken to wait for this
   Wall status_due_{};
   std::string digest_;
+  std::string failure_;  // why the phase is kFailed
   std::vector<std::uint32_t> named_hung_;
   std::optional<std::string> held_by_;  // an observer that has not handled enough
   Wall held_since_{};
