@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 #include <filesystem>
+#include <new>
 
 #include "deploy/cli/check_scenario.hpp"
 #include "deploy/cli/command_line.hpp"
@@ -9,6 +10,7 @@
 #include "deploy/doctor/run_doctor.hpp"
 #include "deploy/embedded/run_embedded.hpp"
 #include "deploy/kit/run_script.hpp"
+#include "deploy/launcher/domain_lock.hpp"
 #include "deploy/launcher/run_dds.hpp"
 #include "deploy/metrics/run_directory.hpp"
 #include "deploy/report/write_report.hpp"
@@ -46,6 +48,8 @@ int run(const deploy::RunCommand& command) {
       runtime::TomlDocument::parse(text, command.scenario.string() + " with the command line's changes");
   deploy::RunFacts facts = deploy::check_scenario(effective);
   facts.engine = command.embedded ? "embedded" : "dds";
+  std::optional<deploy::DomainLock> lock;  // before the folder: who finds it taken leaves nothing behind
+  if (!command.embedded) lock.emplace(command.domain);
   const auto folder = std::filesystem::absolute(deploy::make_run_directory(command.out, facts));
   write_first_file(folder / "scenario.toml", text);
   std::optional<std::filesystem::path> trace;
@@ -57,7 +61,7 @@ int run(const deploy::RunCommand& command) {
                                    .scenario = effective,
                                    .folder = folder,
                                    .scenario_file = folder / "scenario.toml",
-                                   .domain = command.domain,
+                                   .domain = lock ? lock->domain() : 0,
                                    .transport = command.transport,
                                    .agents_per_process = command.agents_per_process,
                                    .trace = trace,
@@ -123,6 +127,12 @@ int main(int argc, char** argv) {
     return runtime::kCouldNotStart;
   } catch (const runtime::WriteError& error) {
     std::fprintf(stderr, "%s\n", error.what());
+    return runtime::kFailed;
+  } catch (const std::filesystem::filesystem_error& error) {
+    std::fprintf(stderr, "%s: %s\n", error.path1().c_str(), error.code().message().c_str());
+    return runtime::kFailed;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "caravan: not enough memory for this\n");
     return runtime::kFailed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "caravan: ended by an unexpected error: %s\n", error.what());

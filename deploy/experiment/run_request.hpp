@@ -18,7 +18,7 @@ struct RunRequest {
   runtime::TomlDocument scenario;       ///< effective: the file with the command line's changes
   std::filesystem::path folder;         ///< exists, this run's own, absolute
   std::filesystem::path scenario_file;  ///< the effective scenario in it, for other processes to read
-  std::optional<std::uint32_t> domain;  ///< DDS domain asked for; none: a free one
+  std::uint32_t domain = 0;             ///< of the dds engine: DDS domain, held by the caller
   runtime::Transport transport = runtime::Transport::kSharedMemory;
   std::uint32_t agents_per_process = 1;
   std::optional<std::filesystem::path>

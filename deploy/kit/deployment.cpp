@@ -64,9 +64,9 @@ std::string listed(const std::vector<std::string>& names) {
 
 Deployment::Deployment(DeploymentOptions options)
     : options_{std::move(options)},
+      lock_{options_.domain},
       scenario_file_{write_scenario(options_)},
       robots_{runtime::read_robots(runtime::TomlDocument::load(scenario_file_)).count},
-      lock_{options_.domain},
       processes_{{.scenario = scenario_file_,
                   .folder = options_.folder,
                   .binaries = folder_of_binaries(options_),
@@ -169,6 +169,7 @@ ActionResult Deployment::expect(const std::string& name, const Condition& condit
       report += "\n  seen: " + condition.values(now) + "\n" + scene(now);
       return {false, std::move(report), took_s};
     }
+    processes_.note_newcomers();
     if (Clock::now() - noted_ > 2s) {
       processes_.note_shared_memory();
       noted_ = Clock::now();

@@ -76,9 +76,9 @@ class Deployment {
   [[nodiscard]] std::string scene(const Seen& seen) const;
 
   DeploymentOptions options_;
+  DomainLock lock_;  // before the first file: who finds the domain taken leaves nothing behind
   std::filesystem::path scenario_file_;
   std::uint32_t robots_ = 0;
-  DomainLock lock_;
   Processes processes_;
   std::unique_ptr<Ears> ears_;
   std::chrono::steady_clock::time_point noted_{};

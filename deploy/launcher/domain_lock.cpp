@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/launcher/domain_lock.hpp"
 
-#include <fcntl.h>
 #include <netinet/in.h>
-#include <sys/file.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <filesystem>
+#include <ctime>
 #include <string>
 #include <utility>
 
+#include "deploy/launcher/domain_users.hpp"
 #include "deploy/launcher/shared_memory.hpp"
+#include "runtime/bus/local_names.hpp"
+#include "runtime/bus/place.hpp"
 #include "runtime/config/start_error.hpp"
 
 namespace caravan::deploy {
@@ -20,17 +21,6 @@ namespace {
 // Low domains are what people type by hand; 232 is DDS's last.
 constexpr std::uint32_t kFirst = 100;
 constexpr std::uint32_t kLast = 229;
-
-/// The locked file, or -1 when another run holds it.
-int try_lock(std::uint32_t domain) {
-  const std::string name =
-      std::filesystem::temp_directory_path() / ("caravan_domain_" + std::to_string(domain) + ".lock");
-  const int file = open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0) return -1;
-  if (flock(file, LOCK_EX | LOCK_NB) == 0) return file;
-  close(file);
-  return -1;
-}
 
 /// Whether somebody has the domain's first UDP port on this machine: a DDS program of another kind is there.
 bool has_udp_port(std::uint32_t domain) {
@@ -45,30 +35,61 @@ bool has_udp_port(std::uint32_t domain) {
   return taken;
 }
 
+bool is_in_use(std::uint32_t domain) {
+  return has_living_ports(domain) || !runtime::places_in(domain).empty() || has_udp_port(domain);
+}
+
+[[noreturn]] void refuse(std::uint32_t domain, const std::string& why) {
+  throw runtime::StartError{"DDS domain " + std::to_string(domain) + ": " + why +
+                            "; choose another --domain, or none to be given a free one"};
+}
+
 }  // namespace
 
 DomainLock::DomainLock(std::optional<std::uint32_t> wanted) {
   if (wanted) {
-    domain_ = *wanted;
-    file_ = try_lock(domain_);
-    if (file_ >= 0) remove_dead_ports(domain_);
+    take(*wanted);
     return;
   }
   for (domain_ = kFirst; domain_ <= kLast; ++domain_) {
-    file_ = try_lock(domain_);
-    if (file_ < 0) continue;
-    if (!has_living_ports(domain_) && !has_udp_port(domain_)) {
+    if (!lock(domain_)) continue;
+    if (!is_in_use(domain_)) {
       remove_dead_ports(domain_);
       return;
     }
-    close(std::exchange(file_, -1));  // somebody who takes no locks works here
+    unlock();  // somebody who takes no locks works here
   }
   throw runtime::StartError{"no free DDS domain: every one from " + std::to_string(kFirst) + " to " +
                             std::to_string(kLast) + " is in use"};
 }
 
-DomainLock::~DomainLock() {
-  if (file_ >= 0) close(file_);
+DomainLock::~DomainLock() { unlock(); }
+
+void DomainLock::take(std::uint32_t wanted) {
+  domain_ = wanted;
+  if (!lock(wanted)) {
+    const auto holder = holder_of(wanted);
+    if (holder && holder->pid == getppid()) return;
+    refuse(wanted, holder ? "another run holds it (" + in_words(*holder) + ")" : "another run holds it");
+  }
+  if (const auto other = other_user_in(wanted)) {
+    unlock();
+    refuse(wanted, "processes of another user are in it (" + user_in_words(*other) + ")");
+  }
+  remove_dead_ports(wanted);
+}
+
+bool DomainLock::lock(std::uint32_t domain) {
+  sockets_[0] = runtime::hold_local_name(lock_name(domain));
+  if (sockets_[0] < 0) return false;
+  sockets_[1] = runtime::hold_local_name(holder_name(domain, {getpid(), geteuid(), std::time(nullptr)}));
+  return true;
+}
+
+void DomainLock::unlock() {
+  for (int& held : sockets_) {
+    if (held >= 0) close(std::exchange(held, -1));
+  }
 }
 
 }  // namespace caravan::deploy

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "runtime/bus/fastdds_version.hpp"
 
@@ -32,5 +33,8 @@ class Place {
   std::uint32_t port_ = 0;
   int held_ = -1;  // the socket
 };
+
+/// Ports of all places of the domain: one for each process that is in it by shared memory, whoever's it is.
+[[nodiscard]] std::vector<std::uint32_t> places_in(std::uint32_t domain);
 
 }  // namespace caravan::runtime

@@ -50,7 +50,7 @@ ALLOWED = {
     "deploy/report": [STD, POSIX, "runtime/config", "runtime/process"],
     "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, JSON, GTEST, "deploy/control", "deploy/launcher",
                    "deploy/metrics", "robot_agent/core/radio/frames"],
-    "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
+    "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "deploy/launcher/domain_users.hpp"],
     "deploy/doctor": [STD, POSIX, "runtime", "deploy/launcher/shared_memory.hpp"],
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/bus/transport.hpp", "deploy",
                    "robot_agent/config", "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium",
@@ -71,7 +71,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 NAMES_FOR_ROBOTS = re.compile(r"idl/(robot|clock)_types\.hpp")
 NAMES_OF_TRUTH = re.compile(r"idl/(world|control)_types\.hpp")
 GENERATED_HEADERS = re.compile(r"(robot|stamp|clock|world|control)(PubSubTypes)?\.h")
-POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|poll|termios|sched|pthread|signal|dirent|spawn|netdb|ifaddrs|arpa/.*|netinet/.*)\.h$")
+POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|poll|termios|sched|pthread|signal|dirent|spawn|netdb|ifaddrs|arpa/.*|netinet/.*|pwd)\.h$")
 OUTSIDE = {"Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr": DDS, "toml++": TOML,
            "nlohmann": JSON, "spdlog": LOG, "CLI": CLI, "gtest": GTEST}
 
