@@ -19,6 +19,7 @@
 #include "runtime/config/start_error.hpp"
 #include "runtime/config/write_error.hpp"
 #include "runtime/process/run_process.hpp"
+#include "runtime/process/streams.hpp"
 
 namespace {
 
@@ -119,6 +120,7 @@ int obey(const deploy::DeployCommand& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  runtime::prepare_streams();
   try {
     return std::visit([](const auto& command) { return obey(command); },
                       deploy::read_command_line(argc, argv));

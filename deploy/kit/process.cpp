@@ -28,6 +28,7 @@ constexpr std::chrono::milliseconds kLookPeriod{5};
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
+  signal(SIGPIPE, SIG_DFL);
   signal(SIGINT, SIG_DFL);  // a shell starts what runs in the background with SIGINT ignored
   setpgid(0, 0);            // Ctrl-C at the terminal is for the parent, which stops everybody in order
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // a parent that crashes leaves no process behind

@@ -166,6 +166,14 @@ void Processes::note_shared_memory() {
   }
 }
 
+void Processes::note_newcomers() {
+  std::vector<pid_t> living;
+  for (const auto& [name, life] : lives_) {
+    if (!life.process->wait(0ms)) living.push_back(life.process->pid());
+  }
+  (void)memory_.note_new(living);
+}
+
 std::map<std::string, SeenProcess> Processes::seen() const {
   std::map<std::string, SeenProcess> seen;
   const auto add = [&](const std::string& who) {

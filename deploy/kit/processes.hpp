@@ -53,6 +53,8 @@ class Processes {
 
   /// Remembers what the living have in shared memory, for those that are killed later.
   void note_shared_memory();
+  /// The same of those that had nothing there yet.
+  void note_newcomers();
 
  private:
   using Kind = ProcessAction::Kind;

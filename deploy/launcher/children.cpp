@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -17,25 +18,34 @@ namespace caravan::deploy {
 namespace {
 
 /// In the child between fork and exec: nothing but system calls.
-[[noreturn]] void become(const std::vector<char*>& arguments, int log, pid_t parent) {
+[[noreturn]] void become(const std::vector<char*>& arguments, int log, pid_t parent,
+                         const std::vector<int>& shared) {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
+  signal(SIGPIPE, SIG_DFL);
   // A group of its own: Ctrl-C at the terminal goes to the launcher alone, which stops everybody in order.
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(1);
   dup2(log, STDOUT_FILENO);
   dup2(log, STDERR_FILENO);
-  close_range(STDERR_FILENO + 1, ~0U, 0);  // this process's DDS sockets and locks are not the child's
+  unsigned first = STDERR_FILENO + 1;  // this process's DDS sockets are not the child's
+  for (const int kept : shared) {
+    if (static_cast<unsigned>(kept) > first) close_range(first, static_cast<unsigned>(kept) - 1, 0);
+    first = static_cast<unsigned>(kept) + 1;
+  }
+  close_range(first, ~0U, 0);
   execv(arguments[0], arguments.data());
   _exit(127);
 }
 
 }  // namespace
 
-Children::Children(std::filesystem::path log_folder, std::function<void()> on_end)
-    : log_folder_{std::move(log_folder)}, on_end_{std::move(on_end)} {}
+Children::Children(std::filesystem::path log_folder, std::function<void()> on_end, std::vector<int> shared)
+    : log_folder_{std::move(log_folder)}, on_end_{std::move(on_end)}, shared_{std::move(shared)} {
+  std::sort(shared_.begin(), shared_.end());
+}
 
 Children::~Children() {
   stop(std::chrono::seconds{3});
@@ -59,7 +69,7 @@ void Children::start(const std::string& name, const std::vector<std::string>& co
   {
     const std::lock_guard lock{mutex_};  // the waiter must not see its end before it has a name
     const pid_t pid = fork();
-    if (pid == 0) become(arguments, log, parent);
+    if (pid == 0) become(arguments, log, parent, shared_);
     close(log);
     if (pid < 0) throw runtime::StartError{"cannot start " + name + ": " + std::strerror(errno)};
     running_[pid] = name;

@@ -30,7 +30,10 @@ class Children {
  public:
   /// @param log_folder  exists; each child's standard error and output go to <name>.log in it
   /// @param on_end      called on the waiting thread after each end
-  Children(std::filesystem::path log_folder, std::function<void()> on_end);
+  /// @param shared      descriptors that the children have too, such as locks that are to last as long as
+  /// they
+  ///                    do; they get no others
+  Children(std::filesystem::path log_folder, std::function<void()> on_end, std::vector<int> shared = {});
   /// Stops what still runs.
   ~Children();
   Children(const Children&) = delete;
@@ -53,6 +56,7 @@ class Children {
 
   std::filesystem::path log_folder_;
   std::function<void()> on_end_;
+  std::vector<int> shared_;  // sorted
   mutable std::mutex mutex_;
   std::condition_variable started_;
   std::condition_variable none_left_;

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "deploy/launcher/children.hpp"
-#include "deploy/launcher/domain_lock.hpp"
 #include "deploy/launcher/observer.hpp"
 #include "deploy/launcher/run_end.hpp"
 #include "deploy/launcher/shared_memory.hpp"
@@ -28,7 +27,8 @@ namespace msg = caravan_interfaces::msg;
 const std::string kObserverName = "launcher";
 constexpr auto kStopPatience = 1000ms;
 constexpr auto kLookPeriod = 250ms;
-constexpr auto kNotePeriod = 2s;  // of the shared memory of those who are starting
+constexpr auto kStartPeriod = 50ms;  // the same while some have not joined the bus
+constexpr auto kNotePeriod = 2s;     // of all shared memory, while they are starting
 constexpr auto kNotePeriodLater = 10s;
 
 /// Whether there is room for less than a log's next lines.
@@ -44,8 +44,7 @@ class DdsRun {
   explicit DdsRun(const RunRequest& request)
       : request_{request},
         experiment_{runtime::read_experiment(request.scenario)},
-        lock_{request.domain},
-        memory_{lock_.domain()},
+        memory_{request.domain},
         observer_{bus_config(), kObserverName, request.facts.robots, request.loop},
         record_{request.facts, request.folder, request.quiet ? nullptr : stdout},
         children_{log_folder(), [&loop = request.loop] { loop.notify(); }} {}
@@ -56,7 +55,7 @@ class DdsRun {
   [[nodiscard]] double lease_s() const { return experiment_.pacing == runtime::Pacing::kFree ? 1.0 : 5.0; }
   [[nodiscard]] runtime::BusConfig bus_config() const {
     return {.role = kObserverName,
-            .domain = lock_.domain(),
+            .domain = request_.domain,
             .lease_s = lease_s(),
             .transport = request_.transport};
   }
@@ -70,14 +69,15 @@ class DdsRun {
   /// Until the run is decided, interrupted or lost.
   void follow();
   void look();
-  void mourn(const Ended& one);
+  /// Of a process that ended by itself. Before the first step the run fails at once: nobody else takes its
+  /// place.
+  void take_end(const Ended& one);
   void check_start(Wall now);
   [[nodiscard]] bool have_last_statuses() const;
   [[nodiscard]] RunEnd so_far() const;
 
   const RunRequest& request_;
   runtime::ExperimentTable experiment_;
-  DomainLock lock_;
   SharedMemory memory_;
   Observer observer_;
   RunRecord record_;
@@ -100,7 +100,7 @@ void DdsRun::start(const std::string& name, const std::string& program, std::vec
                                 "--scenario",
                                 request_.scenario_file,
                                 "--domain",
-                                std::to_string(lock_.domain()),
+                                std::to_string(request_.domain),
                                 "--lease",
                                 std::to_string(lease_s()),
                                 "--transport",
@@ -122,7 +122,7 @@ void DdsRun::start_agents(std::uint32_t first, std::uint32_t last) {
 
 void DdsRun::start_everybody() {
   if (!request_.quiet) {
-    std::printf("DDS domain %u, logs in %s\n", lock_.domain(), (request_.folder / "logs").c_str());
+    std::printf("DDS domain %u, logs in %s\n", request_.domain, (request_.folder / "logs").c_str());
     std::fflush(stdout);
   }
   std::vector<std::string> of_world = {"--await", kObserverName};
@@ -155,11 +155,17 @@ void DdsRun::look() {
   record_.keep_up([this] { return so_far(); });
 }
 
-void DdsRun::mourn(const Ended& one) {
-  std::string how = one.name + " (pid " + std::to_string(one.pid) + ") ended with exit code " +
-                    std::to_string(one.exit_code) + ", its log says why";
+void DdsRun::take_end(const Ended& one) {
+  std::string how = one.name + " (pid " + std::to_string(one.pid) + ") " +
+                    (one.exit_code > 128 ? "was ended by signal " + std::to_string(one.exit_code - 128)
+                                         : "ended with exit code " + std::to_string(one.exit_code)) +
+                    ", its log says why";
   if (is_full(request_.folder)) how += "; no room is left in " + request_.folder.string();
-  if (one.name.starts_with("robot_agent")) {
+  if (!stepped_) {
+    if (!failure_.empty()) return;  // of several the first
+    failure_ = how + ", and the run had not begun";
+    could_not_start_ = one.name != "world_server" || one.exit_code == runtime::kCouldNotStart;
+  } else if (one.name.starts_with("robot_agent")) {
     --agent_processes_;
     std::fprintf(stderr, "%s\n", how.c_str());
     if (agent_processes_ == 0) failure_ = "every agent has ended; the last was " + how;
@@ -168,8 +174,6 @@ void DdsRun::mourn(const Ended& one) {
   } else {
     std::fprintf(stderr, "%s; the robots drive on alone\n", how.c_str());
   }
-  could_not_start_ = could_not_start_ || (!stepped_ && one.exit_code == runtime::kCouldNotStart);
-  if (could_not_start_ && failure_.empty()) failure_ = how;
 }
 
 void DdsRun::check_start(Wall now) {
@@ -184,17 +188,20 @@ void DdsRun::check_start(Wall now) {
 }
 
 void DdsRun::follow() {
+  bool all_joined = false;
   while (!decided_ && failure_.empty() && record_.is_whole()) {
     const Wall now = std::chrono::steady_clock::now();
-    if (request_.loop.wait(now + kLookPeriod) == runtime::Loop::Woken::kStop) {
+    if (request_.loop.wait(now + (all_joined ? Wall::duration{kLookPeriod} : kStartPeriod)) ==
+        runtime::Loop::Woken::kStop) {
       interrupted_ = true;
       return;
     }
     look();
-    for (const Ended& one : children_.ended()) mourn(one);
+    for (const Ended& one : children_.ended()) take_end(one);
     check_start(now);
     if (const auto why = standstill_.say(now, newest_.world)) std::fprintf(stderr, "%s\n", why->c_str());
     if (const auto why = standstill_.give_up(now, newest_.world); why && failure_.empty()) failure_ = *why;
+    if (!all_joined) all_joined = memory_.note_new(children_.running()) || stepped_;
     if (now - segments_noted_ > (stepped_ ? kNotePeriodLater : kNotePeriod)) {
       for (const pid_t pid : children_.running()) memory_.note(pid);
       segments_noted_ = now;

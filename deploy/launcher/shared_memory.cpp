@@ -114,14 +114,33 @@ bool is_ours_and_old(const fs::path& file) {
 
 void SharedMemory::note(pid_t process) {
   for (const std::string& name : mapped_by(fs::path{"/proc"} / std::to_string(process))) {
-    if (name.find(port_mark()) == std::string::npos) segments_.insert(name);
+    if (name.find(port_mark()) != std::string::npos) continue;
+    segments_.insert(name);
+    noted_.insert(process);
   }
+}
+
+bool SharedMemory::note_new(const std::vector<pid_t>& processes) {
+  bool all = true;
+  for (const pid_t process : processes) {
+    if (!noted_.contains(process)) note(process);
+    all = all && noted_.contains(process);
+  }
+  return all;
 }
 
 void SharedMemory::remove_leftovers() const {
   remove_unused([this](const std::string& name) {
     return is_of_a_port_of(name, domain_) || segments_.contains(without_lock_mark(name));
   });
+  // DDS never lets go of the segment of a process that it has heard, so this one has it mapped still. The
+  // lock tells whether the one that made it lives.
+  std::error_code error;
+  for (const std::string& segment : segments_) {
+    if (is_held(kFolder, segment)) continue;
+    fs::remove(kFolder / segment, error);
+    fs::remove(kFolder / (segment + "_el"), error);
+  }
 }
 
 bool has_living_ports(std::uint32_t domain) {

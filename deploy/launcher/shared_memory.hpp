@@ -33,7 +33,8 @@ std::size_t remove_left_by_the_dead(const std::filesystem::path& folder = "/dev/
 /// The shared-memory files that a run's processes leave behind when they are killed.
 ///
 /// A killed process cannot remove its DDS segments, so they are noted while it lives. Only files of the run's
-/// domain and of noted processes are removed, and of these only those that no living process has mapped.
+/// domain and of noted processes are removed, and of these only those that no living process has mapped or,
+/// of segments, that the process which made them no longer holds.
 class SharedMemory {
  public:
   explicit SharedMemory(std::uint32_t domain) : domain_{domain} {}
@@ -44,12 +45,16 @@ class SharedMemory {
 
   /// Remembers the DDS segments that the process has mapped now.
   void note(pid_t process);
+  /// The same of those of these that had none yet when they were last looked at: one that is killed early
+  /// leaves its segment too. @return have all of them one?
+  bool note_new(const std::vector<pid_t>& processes);
 
  private:
   void remove_leftovers() const;
 
   std::uint32_t domain_;
   std::set<std::string> segments_;  // file names in /dev/shm
+  std::set<pid_t> noted_;           // that had some
 };
 
 }  // namespace caravan::deploy

@@ -44,9 +44,13 @@ std::optional<std::string> Standstill::say(runtime::WallTime now, const std::opt
 
 std::optional<std::string> Standstill::give_up(runtime::WallTime now,
                                                const std::optional<WorldStatus>& world) const {
-  // A world that was never heard is the start's affair, which has a deadline of its own.
-  if (!world || now - heard_ < kGivenUp) return std::nullopt;
-  return "world_server has said nothing for " + seconds(now - heard_) + ": the run is given up";
+  if (!world) return std::nullopt;  // the start's affair, which has a deadline of its own
+  if (now - heard_ >= kGivenUp)
+    return "world_server has said nothing for " + seconds(now - heard_) + ": the run is given up";
+  const bool is_empty = world->members() == 0 && !world->gone().empty() && !world->paused();
+  if (!is_empty || now - stepped_ < kGivenUp) return std::nullopt;
+  return listed(world->gone()) + " is gone, and no robot has been left for " + seconds(now - stepped_) +
+         ": the run is given up";
 }
 
 }  // namespace caravan::deploy

@@ -10,7 +10,8 @@
 namespace caravan::deploy {
 
 /// Notices that a run stands still and says what it waits for. Somebody may have paused it, and a hung robot
-/// may be waited for as long as the scenario says; a world that says nothing for a minute is given up.
+/// may be waited for as long as the scenario says; a world that says nothing for a minute is given up, and so
+/// is a run in which no robot has been left for a minute: others may have taken their place until then.
 class Standstill {
  public:
   explicit Standstill(runtime::WallTime began) : stepped_{began}, told_{began}, heard_{began} {}

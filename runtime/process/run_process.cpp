@@ -11,6 +11,7 @@
 
 #include "runtime/config/start_error.hpp"
 #include "runtime/config/write_error.hpp"
+#include "runtime/process/streams.hpp"
 #include "runtime/process/version.hpp"
 
 namespace caravan::runtime {
@@ -27,6 +28,7 @@ void set_up_logging(const std::string& name, const std::string& level) {
 
 int run_process(const Program& program, int argc, char** argv,
                 const std::function<int(const Start&, Loop&)>& body) {
+  prepare_streams();
   Start start;
   std::string level = "info";
   std::string transport = to_text(start.transport);

@@ -72,5 +72,26 @@ TEST(Standstill, GivesASilentWorldUpAfterAMinute) {
   EXPECT_EQ(run.give_up(kBegan + 600s, std::nullopt), std::nullopt) << "its start has another deadline";
 }
 
+TEST(Standstill, GivesARunInWhichNoRobotIsLeftUpAfterAMinute) {
+  WorldStatus world;
+  world.gone({"robot 1", "robot 2"});
+  const auto at = [&](std::chrono::seconds after) {
+    Standstill run{kBegan};
+    run.note_world(kBegan + after);
+    return run.give_up(kBegan + after, world);
+  };
+  EXPECT_EQ(at(59s), std::nullopt) << "others may take their place";
+  EXPECT_THAT(at(60s), Optional(HasSubstr("robot 1, robot 2 is gone, and no robot has been left for 60 s")));
+  world.paused(true);
+  EXPECT_EQ(at(600s), std::nullopt) << "somebody has paused it";
+  world.paused(false);
+  world.members(1);
+  EXPECT_EQ(at(600s), std::nullopt) << "one is left: it is waited for";
+  world.members(0);
+  world.gone({});
+  world.missing({"robot 1"});
+  EXPECT_EQ(at(600s), std::nullopt) << "its start has another deadline";
+}
+
 }  // namespace
 }  // namespace caravan::deploy

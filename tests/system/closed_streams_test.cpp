@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Standard streams that nobody reads any more, or that are closed: what a run records is whole.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "build_paths.hpp"
+#include "tests/system/support/process.hpp"
+
+namespace caravan::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr std::chrono::seconds kPatience{100};
+
+class ClosedStreams : public ::testing::TestWithParam<const char*> {
+ protected:
+  /// Runs the small scenario with this behind it in a shell, and looks at what was recorded.
+  void expect_whole_record(const std::string& redirection) {
+    const std::string line = std::string{CARAVAN_BIN_DIR} + "/caravan run " +
+                             scenario("small.toml").string() + " --engine " + GetParam() + " --out " +
+                             (folder_ / "out").string() + redirection;
+    deploy::Process shell{{"/bin/sh", "-c", line}, folder_ / "shell.log"};
+    EXPECT_EQ(shell.wait(kPatience), 0) << shell.output();
+    const auto metrics = nlohmann::json::parse(read_file(folder_ / "out/metrics.json"));
+    EXPECT_TRUE(metrics.at("ended"));
+    EXPECT_TRUE(metrics.at("completed"));
+    EXPECT_EQ(metrics.at("digest"), "11507217511ba8df");
+    const std::pair<const char*, const char*> firsts[] = {
+        {"tracks.csv", "time_s,robot,"}, {"events.csv", "time_s,robot,"}, {"trips.csv", "robot,trip,"}};
+    for (const auto& [file, first] : firsts) {
+      const std::string text = read_file(folder_ / (std::string{"out/"} + file));
+      EXPECT_THAT(text, StartsWith(first));
+      EXPECT_EQ(text.back(), '\n') << file;
+      EXPECT_THAT(text, ::testing::Not(HasSubstr("DDS domain"))) << file;
+    }
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_P(ClosedStreams, AReaderThatLeavesAfterTheFirstLineDoesNotEndTheRun) {
+  expect_whole_record(" | head -1");
+}
+
+TEST_P(ClosedStreams, AReaderThatReadsNothingDoesNotEndTheRun) { expect_whole_record(" 2>&1 | true"); }
+
+TEST_P(ClosedStreams, NoStreamAtAllLeavesTheRecordsFreeOfWhatIsPrinted) {
+  expect_whole_record(" <&- >&- 2>&-");
+}
+
+INSTANTIATE_TEST_SUITE_P(Engine, ClosedStreams, ::testing::Values("embedded", "dds"),
+                         [](const auto& info) { return std::string{info.param}; });
+
+}  // namespace
+}  // namespace caravan::test
