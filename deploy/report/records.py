@@ -13,6 +13,16 @@ import numpy as np
 MODES = ("none", "partial", "full")
 SAME_SESSION_S = 60.0  # a pair may use a session's number again; reports further apart are two sessions
 
+NUMBER, OR_NULL = (int, float), (int, float, type(None))
+# What metrics.json has, as far as it is used here.
+METRICS = {"mode": (str,), "seed": (int,), "robots": (int,), "sim_time_s": NUMBER, "completed": (bool,),
+           "items_delivered": (int,), "routes": (int,), "exchanges": (dict,), "contacts": (dict,), "per_robot": (list,),
+           "scenario": (str,)}
+EXCHANGES = {"completed": (int,), "failed": (int,), "mean_duration_s": NUMBER}
+CONTACTS = {"robot_robot": (int,), "robot_static": (int,)}
+ROBOT = {"items": (int,), "found_s": OR_NULL, "received_s": OR_NULL, "path_length_m": OR_NULL, "driving_s": NUMBER,
+         "exchanging_s": NUMBER, "avoiding_s": NUMBER, "stuck_s": NUMBER, "idle_s": NUMBER}
+
 
 class BrokenRun(Exception):
     """The folder holds no run that can be read; the text says why."""
@@ -107,14 +117,27 @@ def _read_metrics(file: pathlib.Path) -> dict:
         raise BrokenRun(f"{file.name}: {error.strerror}") from error
     except ValueError as error:
         raise BrokenRun(f"{file.name} is cut off or no JSON: {error}") from error
-    wanted = {"mode": str, "seed": int, "robots": int, "sim_time_s": (int, float), "completed": bool, "per_robot": list,
-              "exchanges": dict, "items_delivered": int}
-    for key, kind in wanted.items():
-        if not isinstance(metrics, dict) or not isinstance(metrics.get(key), kind):
-            raise BrokenRun(f"{file.name} has no {key}")
-    if len(metrics["per_robot"]) != metrics["robots"] or metrics["mode"] not in MODES:
+    _check_kinds(file.name, metrics, METRICS)
+    for table, kinds in (("exchanges", EXCHANGES), ("contacts", CONTACTS)):
+        _check_kinds(f"{file.name}: {table}", metrics[table], kinds)
+    if len(metrics["per_robot"]) != metrics["robots"] or metrics["robots"] < 1 or metrics["mode"] not in MODES:
         raise BrokenRun(f"{file.name} contradicts itself")
+    for number, robot in enumerate(metrics["per_robot"], start=1):
+        _check_kinds(f"{file.name}: per_robot, robot {number},", robot, ROBOT)
     return metrics
+
+
+def _check_kinds(where: str, table: object, kinds: dict[str, tuple[type, ...]]) -> None:
+    """Raises BrokenRun unless `table` has a value of one of its kinds for each key. A bool counts as no number."""
+    if not isinstance(table, dict):
+        raise BrokenRun(f"{where} is no table")
+    for key, wanted in kinds.items():
+        if key not in table:
+            raise BrokenRun(f"{where} has no {key}")
+        value = table[key]
+        is_other = not isinstance(value, wanted) or (isinstance(value, bool) and bool not in wanted)
+        if is_other or (isinstance(value, (int, float)) and not abs(value) < 2**63):
+            raise BrokenRun(f"{where} has a {key} that no run writes: {str(value)[:40]}")
 
 
 def _rows(file: pathlib.Path, fields: int) -> list[list[str]]:

@@ -91,6 +91,10 @@ def main() -> int:
     except OSError as error:
         print(f"caravan report: {error}", file=sys.stderr)
         return 2
+    except Exception as error:  # pylint: disable=broad-except  # a file that somebody changed, whatever is wrong with it
+        print(f"caravan report: the records hold something that no run writes ({type(error).__name__}: {error})",
+              file=sys.stderr)
+        return 1
 
 
 if __name__ == "__main__":

@@ -4,12 +4,34 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
 
 namespace caravan::deploy {
 namespace {
 
 using Json = nlohmann::json;
 using Value = std::optional<double>;
+
+/// A number, which true and null are not. @throws std::runtime_error, Json::exception when it is missing
+double number_in(const Json& table, const char* key) {
+  const Json& value = table.at(key);
+  if (!value.is_number()) throw std::runtime_error{std::string{key} + " is no number"};
+  return value.get<double>();
+}
+
+/// False: null. @throws the same
+bool has_number(const Json& table, const char* key) {
+  return !table.at(key).is_null() && (number_in(table, key), true);
+}
+
+/// Entries of the robots, one for each. @throws the same
+const Json& robots_in(const Json& metrics) {
+  const Json& robots = metrics.at("per_robot");
+  if (!robots.is_array() || static_cast<double>(robots.size()) != number_in(metrics, "robots"))
+    throw std::runtime_error{"per_robot is no list of one entry for each robot"};
+  return robots;
+}
 
 /// A run's metrics, and what its robots came to together.
 struct Source {
@@ -24,24 +46,24 @@ struct Source {
   explicit Source(const Json& run) : metrics{run} {
     double length_m = 0.0;
     double paths = 0.0;
-    for (const Json& robot : metrics.at("per_robot")) {
-      const bool has_found = !robot.at("found_s").is_null();
-      const bool has_received = !robot.at("received_s").is_null();
+    for (const Json& robot : robots_in(metrics)) {
+      const bool has_found = has_number(robot, "found_s");
+      const bool has_received = has_number(robot, "received_s");
       found += has_found ? 1.0 : 0.0;
       received += has_received ? 1.0 : 0.0;
       without_path += has_found || has_received ? 0.0 : 1.0;
-      stuck_s += robot.at("stuck_s").get<double>();
-      longest_stuck_s = std::max(longest_stuck_s, robot.at("longest_stuck_s").get<double>());
-      if (robot.at("path_length_m").is_null()) continue;
-      length_m += robot.at("path_length_m").get<double>();
+      stuck_s += number_in(robot, "stuck_s");
+      longest_stuck_s = std::max(longest_stuck_s, number_in(robot, "longest_stuck_s"));
+      if (!has_number(robot, "path_length_m")) continue;
+      length_m += number_in(robot, "path_length_m");
       paths += 1.0;
     }
     if (paths > 0.0) path_length_mean_m = length_m / paths;
   }
-  [[nodiscard]] double number(const char* key) const { return metrics.at(key).get<double>(); }
+  [[nodiscard]] double number(const char* key) const { return number_in(metrics, key); }
   [[nodiscard]] double claim(const char* key) const { return metrics.at(key).get<bool>() ? 1.0 : 0.0; }
   [[nodiscard]] double number(const char* table, const char* key) const {
-    return metrics.at(table).at(key).get<double>();
+    return number_in(metrics.at(table), key);
   }
 };
 

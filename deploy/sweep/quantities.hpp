@@ -20,7 +20,7 @@ struct Quantity {
 
 /// Their values in a run's metrics.json, in the same order; none where the run has no such number.
 ///
-/// @throws nlohmann::json::exception when something is missing
+/// @throws std::exception when something is missing or of another kind
 [[nodiscard]] std::vector<std::optional<double>> values_in(const nlohmann::json& metrics);
 
 }  // namespace caravan::deploy

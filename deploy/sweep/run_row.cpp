@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 const std::string kFailureFile = "failure.txt";
 
-/// @throws Json::exception when something is missing
+/// @throws std::exception when something is missing or of another kind
 RunRow row_in(const Json& metrics) {
   if (!metrics.at("ended").get<bool>() || metrics.at("interrupted").get<bool>()) return {};
   if (const auto failure = metrics.at("failure").get<std::string>(); !failure.empty()) {
@@ -45,18 +45,27 @@ std::string in_words(RunState state) {
 
 RunRow look_at(const fs::path& sweep_folder, const PlannedRun& run) {
   const fs::path folder = sweep_folder / folder_of(run);
+  if (std::error_code error; fs::exists(folder, error) && !fs::is_directory(folder, error)) {
+    throw runtime::StartError{folder.string() +
+                              ": is a file where the folder of a run belongs; move it away"};
+  }
   if (const auto scenario = text_in(folder / "scenario.toml"); scenario && *scenario != run.scenario_text) {
     throw runtime::StartError{folder.string() + ": holds a run of another scenario; choose another --out"};
   }
   if (const auto reason = text_in(folder / kFailureFile)) {
     return {.state = RunState::kFailed, .reason = *reason};
   }
-  const auto metrics = text_in(folder / "metrics.json");
+  const fs::path file = folder / "metrics.json";
+  const auto metrics = text_in(file);
   if (!metrics) return {};
+  const Json read = Json::parse(*metrics, nullptr, false);
+  if (read.is_discarded())
+    return {};  // half written, by a file system that lost power: as if it had not ended
   try {
-    return row_in(Json::parse(*metrics));
-  } catch (const Json::exception&) {
-    return {};  // half written, by a file system that lost power: as if the run had not ended
+    return row_in(read);
+  } catch (const std::exception& error) {
+    return {.state = RunState::kFailed,
+            .reason = file.filename().string() + " is not what a run writes: " + error.what()};
   }
 }
 

@@ -27,10 +27,12 @@ struct RunRow {
   std::vector<std::optional<double>> values = {};  ///< by quantities(); empty unless done
 };
 
-/// What the folder of a run says about it: failed when note_failure() left a reason in it or metrics.json
-/// tells of one; done when metrics.json is complete; everything else is pending.
+/// What the folder of a run says about it: failed when note_failure() left a reason in it, or metrics.json
+/// tells of one or holds something else than a run writes; done when metrics.json is complete; everything
+/// else is pending.
 ///
-/// @throws runtime::StartError when the folder holds a run of another scenario
+/// @throws runtime::StartError when the folder holds a run of another scenario, or one of its files, or the
+///         folder itself, is something else
 [[nodiscard]] RunRow look_at(const std::filesystem::path& sweep_folder, const PlannedRun& run);
 
 /// Leaves the reason of a failure beside what the run wrote, for this and later sweeps to find.

@@ -59,10 +59,11 @@ class Sweep {
   explicit Sweep(const SweepRequest& request)
       : request_{request},
         plan_{request.plan},
-        folder_{request.folder, request.plan, claim_of(request), request.loop},
+        folder_{request.folder, request.plan, claim_of(request), request.loop, request.task.value_or(0)},
         rows_(request.plan.runs.size()),
         progress_{request.quiet ? nullptr : stdout},
-        children_{make_log_folder(request.folder), [&loop = request.loop] { loop.notify(); }} {}
+        children_{make_log_folder(request.folder), [&loop = request.loop] { loop.notify(); },
+                  folder_.locks()} {}
 
   int run();
 

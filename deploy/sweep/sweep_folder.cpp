@@ -85,20 +85,34 @@ void check_and_begin(const fs::path& folder, const SweepPlan& plan) {
 
 }  // namespace
 
-SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, Claim claim, runtime::Loop& loop)
+SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, Claim claim, runtime::Loop& loop,
+                         std::size_t task)
     : folder_{std::move(folder)} {
   std::error_code error;
   fs::create_directories(folder_, error);
   if (error) throw runtime::StartError{folder_.string() + ": cannot be made: " + error.message()};
   if (claim != Claim::kSummarise) {
-    locks_.emplace_back(folder_ / ".runs.lock", claim == Claim::kTask ? LOCK_SH : LOCK_EX, loop);
+    locks_.emplace_back(folder_ / ".runs.lock", claim == Claim::kTask ? LOCK_SH : LOCK_EX, "another sweep",
+                        loop);
   }
-  if (claim != Claim::kTask) locks_.emplace_back(folder_ / ".tables.lock", LOCK_EX, loop);
+  if (claim == Claim::kTask) {
+    const std::string index = std::to_string(task);
+    locks_.emplace_back(folder_ / (".task_" + index + ".lock"), LOCK_EX, "another start of task " + index,
+                        loop);
+  } else {
+    locks_.emplace_back(folder_ / ".tables.lock", LOCK_EX, "another sweep", loop);
+  }
   check_and_begin(folder_, plan);
 }
 
-SweepFolder::Lock::Lock(const fs::path& file, int kind, runtime::Loop& loop)
-    // Without O_CLOEXEC: our runs inherit the lock and hold it until the last of them has ended.
+std::vector<int> SweepFolder::locks() const {
+  std::vector<int> descriptors;
+  for (const Lock& lock : locks_) descriptors.push_back(lock.descriptor());
+  return descriptors;
+}
+
+SweepFolder::Lock::Lock(const fs::path& file, int kind, const std::string& holder, runtime::Loop& loop)
+    // Without O_CLOEXEC: our runs are given the lock and hold it until the last of them has ended.
     : file_{open(file.c_str(), O_RDWR | O_CREAT, 0644)} {
   if (file_ < 0) throw runtime::StartError{file.string() + ": cannot be written: " + std::strerror(errno)};
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
@@ -108,7 +122,7 @@ SweepFolder::Lock::Lock(const fs::path& file, int kind, runtime::Loop& loop)
     const bool stop = loop.wait(now + 50ms) == runtime::Loop::Woken::kStop;
     if (!stop && now < deadline) continue;
     close(file_);
-    throw runtime::StartError{file.parent_path().string() + ": another sweep is at work in it"};
+    throw runtime::StartError{file.parent_path().string() + ": " + holder + " is at work in it"};
   }
 }
 

@@ -142,6 +142,51 @@ TEST(Sweep, TasksDoOneRunEachAndALaterCallCollectsThem) {
   EXPECT_EQ(read_file(tasks / "sweep.json"), read_file(whole / "sweep.json"));
 }
 
+TEST(Sweep, ATaskThatIsStartedTwiceRunsOnce) {
+  const test::ScratchFolder folder;
+  const fs::path out = folder / "out";
+  std::vector<std::string> words = small_sweep(out, {"--task-index", "0"});
+  *std::find(words.begin(), words.end(), "100") = "100000000";
+  Process first{words, folder / "first.log"};
+  ASSERT_TRUE(eventually([&] { return fs::exists(out / "none" / "seed_1" / "metrics.json"); }, kPatience));
+  const pid_t runner = runner_of(out / "none" / "seed_1");
+  ASSERT_GT(runner, 0);
+
+  Process second{words, folder / "second.log"};
+  EXPECT_EQ(second.wait(kPatience), 2);
+  EXPECT_THAT(second.output(), HasSubstr("another start of task 0 is at work in it"));
+  EXPECT_EQ(runner_of(out / "none" / "seed_1"), runner) << "the first one is left alone";
+
+  first.signal(SIGKILL);
+  ASSERT_EQ(first.wait(kPatience), 128 + SIGKILL);
+  Process third{words, folder / "third.log"};
+  const auto runs_anew = [&] {
+    const pid_t now = runner_of(out / "none" / "seed_1");
+    return now > 0 && now != runner;
+  };
+  EXPECT_TRUE(eventually(runs_anew, kPatience)) << third.output();
+  EXPECT_NE(kill(runner, 0), 0) << "never two at a time";
+}
+
+TEST(Sweep, AFolderInPlaceOfAFileAndTheOtherWayRoundAreToldInOneLine) {
+  const test::ScratchFolder folder;
+  const auto refusal = [&folder](const fs::path& out) {
+    Process process{small_sweep(out), folder / "refused.log"};
+    EXPECT_EQ(process.wait(kPatience), 2);
+    std::string said = process.output();
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    return said;
+  };
+  fs::create_directories(folder / "metrics/none/seed_1/metrics.json");
+  EXPECT_THAT(refusal(folder / "metrics"), HasSubstr("seed_1/metrics.json: is a folder, not a file"));
+  fs::create_directories(folder / "run/none");
+  test::write_file(folder / "run/none/seed_1", "notes of mine");
+  EXPECT_THAT(refusal(folder / "run"), HasSubstr("seed_1: is a file where the folder of a run belongs"));
+  EXPECT_EQ(read_file(folder / "run/none/seed_1"), "notes of mine");
+  fs::create_directories(folder / "scenario/scenario.toml");
+  EXPECT_THAT(refusal(folder / "scenario"), HasSubstr("scenario.toml: is a folder, not a file"));
+}
+
 TEST(Sweep, RefusesWhatItCannotGoOnWithInOneLine) {
   const test::ScratchFolder folder;
   const fs::path out = folder / "out";

@@ -15,7 +15,7 @@ sys.path[:0] = [str(TREE / "deploy/report"), str(TREE / "tests/support")]
 import series  # noqa: E402
 import traffic  # noqa: E402
 from find_runs import read_all  # noqa: E402
-from made_runs import make_run, metrics, robot  # noqa: E402
+from made_runs import make_run, metrics, metrics, robot  # noqa: E402
 from quantities import (QUANTITIES, by_mode, exchanges_per_minute, last_items_per_minute,  # noqa: E402
                         lost_to_traffic, round_trip_s, summary, typical)
 from records import BrokenRun, read_run  # noqa: E402
@@ -70,6 +70,33 @@ class Reading(InAFolder):
         (folder / "events.csv").unlink()
         with self.assertRaisesRegex(BrokenRun, "events.csv: No such file"):
             read_run(folder)
+
+    def test_names_what_is_not_of_its_kind_in_the_metrics(self) -> None:
+        right = metrics()["per_robot"]
+        for number, (changes, reason) in enumerate((
+                ({"per_robot": None}, "per_robot that no run writes: None"),
+                ({"per_robot": [None, None]}, "robot 1, is no table"),
+                ({"per_robot": [right[0] | {"found_s": "soon"}, right[1]]}, "robot 1, has a found_s"),
+                ({"per_robot": [right[0], right[1] | {"items": None}]}, "robot 2, has a items"),
+                ({"per_robot": [right[0], {}]}, "robot 2, has no items"),
+                ({"per_robot": right[:1]}, "contradicts itself"),
+                ({"sim_time_s": float("nan")}, "sim_time_s that no run writes: nan"),
+                ({"sim_time_s": True}, "sim_time_s"),
+                ({"exchanges": {}}, "exchanges has no completed"),
+                ({"contacts": []}, "contacts"),
+                ({"routes": 10**400}, "routes"))):
+            with self.subTest(changes=changes):
+                with self.assertRaisesRegex(BrokenRun, f"metrics.json.*{reason}"):
+                    read_run(make_run(self.folder / str(number), **changes))
+
+    def test_a_folder_in_place_of_a_file_is_named(self) -> None:
+        for name in ("metrics.json", "scenario.toml", "tracks.csv", "events.csv", "trips.csv", "paths.csv"):
+            with self.subTest(name=name):
+                folder = make_run(self.folder / name)
+                (folder / name).unlink()
+                (folder / name).mkdir()
+                with self.assertRaisesRegex(BrokenRun, f"{name}: Is a directory"):
+                    read_run(folder)
 
 
 class Finding(InAFolder):

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "deploy/sweep/quantities.hpp"
 #include "runtime/config/start_error.hpp"
 #include "tests/unit/sweep/folders.hpp"
@@ -63,6 +65,48 @@ TEST_F(RunFolder, WithHalfAMetricsFileIsToBeRunAgain) {
     write(file("metrics.json"), whole.substr(0, length));
     EXPECT_EQ(look().state, RunState::kPending) << length;
   }
+}
+
+TEST_F(RunFolder, WhoseMetricsAreNotWhatARunWritesHasFailedAndSaysWhy) {
+  using Json = nlohmann::json;
+  const Json right = Json::parse(metrics_text(90.0));
+  const auto reason_of = [this](const Json& metrics) {
+    write(file("metrics.json"), metrics.dump());
+    const RunRow row = look();
+    EXPECT_EQ(row.state, RunState::kFailed) << metrics;
+    return row.reason;
+  };
+  for (const char* key : {"per_robot", "robots", "exchanges", "contacts", "sim_time_s", "round_trip_mean_s",
+                          "completed", "ended", "failure", "digest"}) {
+    for (const Json& value : {Json(nullptr), Json::array({1}), Json::object()}) {
+      Json wrong = right;
+      wrong[key] = value;
+      EXPECT_THAT(reason_of(wrong), testing::HasSubstr("metrics.json is not what a run writes")) << key;
+    }
+    Json without = right;
+    without.erase(key);
+    EXPECT_THAT(reason_of(without), testing::HasSubstr(key));
+  }
+  for (const char* key : {"found_s", "received_s", "path_length_m", "stuck_s", "longest_stuck_s"}) {
+    Json wrong = right;
+    wrong["per_robot"][1][key] = "long";
+    EXPECT_THAT(reason_of(wrong), testing::HasSubstr(key));
+  }
+  Json fewer = right;
+  fewer["per_robot"].erase(1);
+  EXPECT_THAT(reason_of(fewer), testing::HasSubstr("per_robot"));
+}
+
+TEST_F(RunFolder, ThatIsAFileOrHasAFolderForAFileIsRefused) {
+  const auto refused = [this](const std::string& what) {
+    EXPECT_THAT([this] { (void)look(); },
+                testing::ThrowsMessage<runtime::StartError>(testing::HasSubstr(what)));
+  };
+  std::filesystem::create_directories(file("metrics.json"));
+  refused("metrics.json: is a folder");
+  std::filesystem::remove_all(file("").parent_path());
+  write(sweep_.path() / "full" / "seed_3", "notes of mine");
+  refused("seed_3: is a file");
 }
 
 TEST_F(RunFolder, WithANotedFailureHasFailedWhateverElseItHolds) {

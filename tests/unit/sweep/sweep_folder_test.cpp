@@ -15,12 +15,13 @@ namespace {
 
 class SweepFolders : public testing::Test {
  protected:
-  std::unique_ptr<SweepFolder> claim(const SweepPlan& plan, Claim claim = Claim::kSweep) {
-    return std::make_unique<SweepFolder>(folder_.path() / "out", plan, claim, loop_);
+  std::unique_ptr<SweepFolder> claim(const SweepPlan& plan, Claim claim = Claim::kSweep,
+                                     std::size_t task = 0) {
+    return std::make_unique<SweepFolder>(folder_.path() / "out", plan, claim, loop_, task);
   }
-  std::string refusal(const SweepPlan& plan, Claim kind = Claim::kSweep) {
+  std::string refusal(const SweepPlan& plan, Claim kind = Claim::kSweep, std::size_t task = 0) {
     try {
-      claim(plan, kind);
+      claim(plan, kind, task);
       return "";
     } catch (const runtime::StartError& error) {
       return error.what();
@@ -72,10 +73,17 @@ TEST_F(SweepFolders, RefuseAnotherScenarioAForeignFolderAndASingleRun) {
 
 TEST_F(SweepFolders, HoldAnyNumberOfTasksButOneSweepOnly) {
   const auto first = claim(plan_, Claim::kTask);
-  const auto second = claim(plan_, Claim::kTask);
+  const auto second = claim(plan_, Claim::kTask, 1);
   EXPECT_EQ(refusal(plan_, Claim::kSummarise), "");
   loop_.stop();  // nobody waits for the folder to be free
   EXPECT_THAT(refusal(plan_), testing::HasSubstr("another sweep is at work"));
+}
+
+TEST_F(SweepFolders, HoldEachTaskOnce) {
+  const auto first = claim(plan_, Claim::kTask, 2);
+  loop_.stop();
+  EXPECT_THAT(refusal(plan_, Claim::kTask, 2), testing::HasSubstr("another start of task 2 is at work"));
+  EXPECT_EQ(refusal(plan_, Claim::kTask, 3), "");
 }
 
 TEST_F(SweepFolders, AreSummarisedByNobodyWhileASweepWritesItsTables) {
