@@ -53,7 +53,7 @@ TEST_P(ClosedStreams, NoStreamAtAllLeavesTheRecordsFreeOfWhatIsPrinted) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Engine, ClosedStreams, ::testing::Values("embedded", "dds"),
-                         [](const auto& info) { return std::string{info.param}; });
+                         [](const auto& engine) { return std::string{engine.param}; });
 
 }  // namespace
 }  // namespace caravan::test
