@@ -3,9 +3,12 @@
 /// of 3.1 where it has one. No other file asks which of the two it is built with.
 #pragma once
 
+#include <chrono>
+#include <cstdint>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/domain/DomainParticipantListener.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
+#include <memory>
 #include <string>
 
 #if __has_include(<fastdds/config.hpp>)  // 3.1
@@ -50,6 +53,56 @@ inline void turn_intraprocess_delivery_off() {
   eprosima::fastdds::LibrarySettings settings;
   settings.intraprocess_delivery = eprosima::fastdds::INTRAPROCESS_OFF;
   dds::DomainParticipantFactory::get_instance()->set_library_settings(settings);
+}
+
+/// Shared memory in front of which the statistics that DDS puts behind each message are taken away.
+///
+/// 3.1.2 leaves room for them and copies nothing into it (3.1.3 does not): the receiver takes what was there
+/// before for more of the message, and often does not count the message as a sign of life.
+class WholeMessages final : public rtps::ChainingTransport {
+ public:
+  explicit WholeMessages(const rtps::SharedMemTransportDescriptor& settings)
+      : ChainingTransport(Chain{std::make_shared<rtps::SharedMemTransportDescriptor>(settings)}) {}
+  rtps::TransportDescriptorInterface* get_configuration() override {
+    return low_level_transport_->get_configuration();
+  }
+  bool send(rtps::SenderResource* sender, OutgoingBytes bytes, std::uint32_t size,
+            rtps::LocatorsIterator* begin, rtps::LocatorsIterator* end,
+            const std::chrono::steady_clock::time_point& timeout) override {
+    constexpr std::uint32_t kStatisticsSize = 60;
+    constexpr rtps::octet kStatistics = 0x80;
+    const rtps::NetworkBuffer& last = bytes.back();
+    if (last.size != kStatisticsSize || *static_cast<const rtps::octet*>(last.buffer) != kStatistics)
+      return sender->send(bytes, size, begin, end, timeout);
+    const std::vector<rtps::NetworkBuffer> message(bytes.begin(), bytes.end() - 1);
+    return sender->send(message, size - last.size, begin, end, timeout);
+  }
+  void receive(rtps::TransportReceiverInterface* next, const rtps::octet* buffer, std::uint32_t size,
+               const rtps::Locator_t& local, const rtps::Locator_t& remote) override {
+    next->OnDataReceived(buffer, size, local, remote);
+  }
+
+ private:
+  struct Chain final : rtps::ChainingTransportDescriptor {
+    using ChainingTransportDescriptor::ChainingTransportDescriptor;
+    [[nodiscard]] rtps::TransportInterface* create_transport() const override { return nullptr; }
+  };
+};
+
+/// Is still shared memory for DDS, which looks at the descriptor's class.
+struct WholeMessagesDescriptor final : rtps::SharedMemTransportDescriptor {
+  explicit WholeMessagesDescriptor(const rtps::SharedMemTransportDescriptor& settings)
+      : rtps::SharedMemTransportDescriptor(settings) {}
+  [[nodiscard]] rtps::TransportInterface* create_transport() const override {
+    return new WholeMessages(*this);
+  }
+};
+
+/// @pre it is shared memory
+inline std::shared_ptr<rtps::TransportDescriptorInterface> with_whole_messages(
+    const std::shared_ptr<rtps::TransportDescriptorInterface>& transport) {
+  return std::make_shared<WholeMessagesDescriptor>(
+      dynamic_cast<const rtps::SharedMemTransportDescriptor&>(*transport));
 }
 
 /// What DDS finds of other participants; called on its threads.
@@ -137,6 +190,12 @@ inline void turn_intraprocess_delivery_off() {
   eprosima::fastrtps::LibrarySettingsAttributes settings;
   settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
   eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+}
+
+/// For 3.1.
+inline std::shared_ptr<rtps::TransportDescriptorInterface> with_whole_messages(
+    const std::shared_ptr<rtps::TransportDescriptorInterface>& transport) {
+  return transport;
 }
 
 /// What DDS finds of other participants; called on its threads.

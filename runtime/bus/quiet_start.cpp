@@ -40,7 +40,11 @@ rtps::TransportInterface* QuietDescriptor::create_transport() const { return new
 SendGate hold_back_network(dds::DomainParticipantQos& qos) {
   auto gate = std::make_shared<std::atomic<bool>>(false);
   for (auto& transport : qos.transport().user_transports) {
-    if (!is_shared_memory(transport)) transport = std::make_shared<QuietDescriptor>(transport, gate);
+    if (is_shared_memory(transport)) {
+      transport = with_whole_messages(transport);
+    } else {
+      transport = std::make_shared<QuietDescriptor>(transport, gate);
+    }
   }
   return gate;
 }
