@@ -6,7 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include "deploy/launcher/listen.hpp"
 #include "deploy/launcher/run_end.hpp"
 #include "idl/robot_types.hpp"
 #include "idl/stamp.hpp"
@@ -41,15 +40,19 @@ double seconds(const builtin_interfaces::msg::Time& stamp) {
 }  // namespace
 
 Ears::Ears(const runtime::BusConfig& bus, RunFacts facts, bool hold_start)
-    : facts_{std::move(facts)}, goes_{!hold_start}, bus_{bus} {
+    : facts_{std::move(facts)},
+      goes_{!hold_start},
+      readers_{facts_.robots,
+               RunReaders::Worlds::kNext,
+               {.truth = [this](const msg::WorldTruth& sample) { on_truth(sample); },
+                .world = [this](const msg::WorldStatus& sample) { on_status(sample); },
+                .radio = [this](const msg::RadioStatus& sample) { on_radio(sample); },
+                .telemetry = [this](std::uint32_t robot,
+                                    const msg::Telemetry& sample) { on_telemetry(robot, sample); }}},
+      bus_{bus, [this](const runtime::Discovery& news) { readers_.discovered(news); }} {
   credit_ = bus_.writer<msg::RunCreditPubSubType>(idl::kRunCredit);
   requester_.join(bus_);
-  listen(bus_, facts_.robots,
-         {.truth = [this](const msg::WorldTruth& sample) { on_truth(sample); },
-          .world = [this](const msg::WorldStatus& sample) { on_status(sample); },
-          .radio = [this](const msg::RadioStatus& sample) { on_radio(sample); },
-          .telemetry = [this](std::uint32_t robot,
-                              const msg::Telemetry& sample) { on_telemetry(robot, sample); }});
+  readers_.join(bus_);
   if (!hold_start) go();
 }
 
@@ -211,7 +214,7 @@ void Ears::on_transmit(std::uint32_t robot, const msg::RadioTransmit& transmit) 
     sent += (sent.empty() ? "" : " ") + text;
   }
   const std::lock_guard lock{mutex_};
-  if (!follow_session(transmit.session())) return;
+  if (transmit.session() != seen_.session) return;
   seen_.robots[robot].sent = sent;
   has_news_ = true;
   news_.notify_all();

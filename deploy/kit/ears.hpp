@@ -11,6 +11,7 @@
 
 #include "deploy/control/requester.hpp"
 #include "deploy/kit/seen.hpp"
+#include "deploy/launcher/listen.hpp"
 #include "deploy/launcher/step_book.hpp"
 #include "idl/control_types.hpp"
 #include "idl/robot_types.hpp"
@@ -73,6 +74,7 @@ class Ears {
   bool overhears_ = false;
   std::uint64_t credited_step_ = 0;
   Requester requester_;
+  RunReaders readers_;
   runtime::Bus bus_;  // after the state, so that no callback outlives it
   runtime::Writer<caravan_interfaces::msg::RunCreditPubSubType> credit_;
 };

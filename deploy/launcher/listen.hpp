@@ -2,11 +2,18 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "idl/robot_types.hpp"
 #include "idl/world_types.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/bus/tenure.hpp"
 
 namespace caravan::deploy {
 
@@ -18,7 +25,62 @@ struct Listener {
   std::function<void(std::uint32_t robot, const caravan_interfaces::msg::Telemetry&)> telemetry;
 };
 
-/// Reads everything that observers may read, of robots 1 .. `robots`.
-void listen(runtime::Bus& bus, std::uint32_t robots, Listener listener);
+/// Reads everything that observers may read, of robots 1 .. `robots`, from the participants that hold the
+/// roles: the world, the radio, each robot's agent. Which session is running is for the world to say.
+class RunReaders {
+ public:
+  enum class Worlds : std::uint8_t {
+    kOne,  ///< the first: when it has gone nobody else is believed
+    kNext  ///< another one may follow it
+  };
+  RunReaders(std::uint32_t robots, Worlds worlds, Listener listener);
+
+  /// What the bus discovers; from any thread.
+  void discovered(const runtime::Discovery& news);
+  /// Makes the readers. `bus` must be closed before this goes.
+  void join(runtime::Bus& bus);
+
+  /// Participants that write what the world and the radio alone say to agents.
+  [[nodiscard]] std::vector<std::string> impostors() const;
+
+ private:
+  using Telemetry = caravan_interfaces::msg::Telemetry;
+  struct Early {
+    runtime::Sender sender;
+    Telemetry sample;
+  };
+  struct Agent {
+    runtime::Tenure tenure;
+    std::deque<Early> early;  // of a session that the world has not spoken of yet
+  };
+
+  /// Hands `sample` on if `sender` holds the role, else keeps it for when it does.
+  template <typename Sample>
+  void on_world(const idl::Topic& topic, const Sample& sample, const runtime::Sender& sender,
+                const std::function<void(const Sample&)>& handle);
+  void on_radio(const caravan_interfaces::msg::RadioStatus& sample, const runtime::Sender& sender);
+  void on_telemetry(std::uint32_t robot, const Telemetry& sample, const runtime::Sender& sender);
+  void take_telemetry(std::uint32_t robot, const Telemetry& sample, const runtime::Sender& sender);
+  void follow_session(std::uint64_t session);
+  /// Gives up the roles of those who have gone.
+  void read_news();
+  void forget(const runtime::Discovery& gone);
+  void hand_over(runtime::Tenure& tenure);
+
+  const Worlds worlds_;
+  const Listener listener_;
+  runtime::Bus* bus_ = nullptr;
+
+  mutable std::mutex news_mutex_;
+  std::vector<runtime::Discovery> news_;
+  std::map<std::string, const idl::Topic*> of_agents_;  // topics that agents read, by name
+  std::set<std::string> impostors_;
+
+  std::mutex mutex_;
+  std::uint64_t session_ = 0;
+  runtime::Tenure world_;
+  runtime::Tenure radio_;
+  std::vector<Agent> agents_;  // [0] is robot 1
+};
 
 }  // namespace caravan::deploy

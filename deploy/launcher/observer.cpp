@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "deploy/launcher/listen.hpp"
 #include "idl/stamp.hpp"
 
 namespace caravan::deploy {
@@ -17,33 +16,37 @@ constexpr std::size_t kWorthALook = 32;  // steps; an eighth of what the world m
 
 Observer::Observer(const runtime::BusConfig& bus, const std::string& name, std::uint32_t robots,
                    runtime::Loop& loop)
-    : loop_{loop}, name_{name}, bus_{bus} {
+    : loop_{loop},
+      name_{name},
+      readers_{robots,
+               RunReaders::Worlds::kOne,
+               {.truth =
+                    [this](const msg::WorldTruth& sample) {
+                      const std::lock_guard lock{mutex_};
+                      book_.add(sample);
+                      tell(sample.last());
+                    },
+                .world =
+                    [this](const msg::WorldStatus& sample) {
+                      const std::lock_guard lock{mutex_};
+                      news_.world = sample;
+                      ++news_.world_statuses;
+                      if (sample.state() == msg::WorldStatus_Constants::FINISHED) loop_.notify();
+                    },
+                .radio =
+                    [this](const msg::RadioStatus& sample) {
+                      const std::lock_guard lock{mutex_};
+                      news_.radio = sample;
+                    },
+                .telemetry =
+                    [this](std::uint32_t robot, const msg::Telemetry& sample) {
+                      const std::lock_guard lock{mutex_};
+                      book_.add(robot, sample);
+                      tell(false);
+                    }}},
+      bus_{bus, [this](const runtime::Discovery& news) { readers_.discovered(news); }} {
   credit_ = bus_.writer<msg::RunCreditPubSubType>(idl::kRunCredit);
-  listen(bus_, robots,
-         {.truth =
-              [this](const msg::WorldTruth& sample) {
-                const std::lock_guard lock{mutex_};
-                book_.add(sample);
-                tell(sample.last());
-              },
-          .world =
-              [this](const msg::WorldStatus& sample) {
-                const std::lock_guard lock{mutex_};
-                news_.world = sample;
-                ++news_.world_statuses;
-                if (sample.state() == msg::WorldStatus_Constants::FINISHED) loop_.notify();
-              },
-          .radio =
-              [this](const msg::RadioStatus& sample) {
-                const std::lock_guard lock{mutex_};
-                news_.radio = sample;
-              },
-          .telemetry =
-              [this](std::uint32_t robot, const msg::Telemetry& sample) {
-                const std::lock_guard lock{mutex_};
-                book_.add(robot, sample);
-                tell(false);
-              }});
+  readers_.join(bus_);
   give_credit(Time{0});
 }
 
@@ -59,7 +62,20 @@ Observer::News Observer::look() {
   taken.observations = book_.take();
   for (const Observation& step : taken.observations) taken.last_seen = taken.last_seen || step.last;
   taken.agents_compute_s = book_.agents_compute_s();
+  taken.strangers = strangers(taken);
   return taken;
+}
+
+std::vector<std::string> Observer::strangers(const News& news) const {
+  std::vector<std::string> all = readers_.impostors();
+  for (const runtime::Stranger& one : bus_.strangers()) all.push_back("launcher: " + to_text(one));
+  if (news.world) {
+    for (const std::string& one : news.world->strangers()) all.push_back("world: " + one);
+  }
+  if (news.radio) {
+    for (const std::string& one : news.radio->strangers()) all.push_back("radio: " + one);
+  }
+  return all;
 }
 
 void Observer::give_credit(Time stamp) {

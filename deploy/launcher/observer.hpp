@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "deploy/launcher/listen.hpp"
 #include "deploy/launcher/step_book.hpp"
 #include "deploy/metrics/observation.hpp"
 #include "idl/world_types.hpp"
@@ -27,6 +28,7 @@ class Observer {
     std::uint64_t world_statuses = 0;                           ///< so many were heard by now
     std::optional<caravan_interfaces::msg::RadioStatus> radio;
     double agents_compute_s = 0.0;
+    std::vector<std::string> strangers;  ///< whose samples were refused, by whom
   };
 
   /// @param name  by which the world knows this observer
@@ -42,6 +44,7 @@ class Observer {
   void give_credit(Time stamp);
 
  private:
+  [[nodiscard]] std::vector<std::string> strangers(const News& news) const;
   /// Wakes the loop when there is enough to look at.
   void tell(bool is_last);
 
@@ -50,7 +53,8 @@ class Observer {
   std::mutex mutex_;
   StepBook book_;
   News news_;
-  runtime::Bus bus_;
+  RunReaders readers_;
+  runtime::Bus bus_;  // after what its callbacks touch
   runtime::Writer<caravan_interfaces::msg::RunCreditPubSubType> credit_;
 };
 

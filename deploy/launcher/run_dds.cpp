@@ -223,6 +223,7 @@ bool DdsRun::have_last_statuses() const {
 
 RunEnd DdsRun::so_far() const {
   RunEnd end = run_end(newest_.world, newest_.radio, newest_.agents_compute_s);
+  end.strangers = newest_.strangers;
   end.interrupted = interrupted_;
   end.failure = failure_;
   return end;

@@ -60,6 +60,7 @@ std::string metrics_json(const RunFacts& facts, const Result& result, const RunE
         {"lost", end.refusals.frames_lost},
         {"queue_full", end.refusals.frames_queue_full},
         {"malformed", result.malformed_frames}}},
+      {"strangers", end.strangers},
       {"per_robot", Json::array()},
       {"time_split",
        {{"physics", end.time_split.physics_s},
@@ -68,7 +69,8 @@ std::string metrics_json(const RunFacts& facts, const Result& result, const RunE
         {"agents", end.time_split.agents_s},
         {"transport", end.time_split.transport_s}}}};
   for (const RobotResult& robot : result.robots) json["per_robot"].push_back(robot_json(robot));
-  return json.dump(2) + "\n";
+  // What is not UTF-8 in what others have said is replaced.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace caravan::deploy

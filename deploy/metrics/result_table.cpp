@@ -92,7 +92,9 @@ std::string result_table(const RunFacts& facts, const Result& result, const RunE
           fixed(result.exchange_mean_s, 2) + " s\n";
   text += "contacts    " + std::to_string(result.robot_robot_contacts) + " robot with robot, " +
           std::to_string(result.robot_static_contacts) + " robot with something static\n";
-  text += "digest      " + end.digest + "\n\n";
+  text += "digest      " + end.digest + "\n";
+  for (const std::string& one : end.strangers) text += "stranger    " + one + "\n";
+  text += "\n";
   text += "robot    found  received  items  path, m   driving  exchanging  avoiding   stuck    idle\n";
   for (const RobotResult& robot : result.robots) text += robot_line(robot);
   return text + "(times in simulated minutes:seconds)\n";

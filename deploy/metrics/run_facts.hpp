@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "deploy/metrics/observation.hpp"
 
@@ -46,7 +47,8 @@ struct RunEnd {
   std::string failure;  ///< why it ended early; empty: it did not
   TimeSplit time_split;
   Refusals refusals;
-  double wall_time_s = 0.0;  ///< from the first step to the last
+  double wall_time_s = 0.0;            ///< from the first step to the last
+  std::vector<std::string> strangers;  ///< participants whose samples were refused
 };
 
 enum class Outcome : std::uint8_t { kCompleted, kTimeOver, kInterrupted, kFailed };

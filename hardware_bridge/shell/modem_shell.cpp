@@ -14,7 +14,8 @@
 namespace caravan::bridge {
 namespace msg = caravan_interfaces::msg;
 using runtime::Discovery;
-using runtime::ParticipantId;
+using runtime::Sender;
+using runtime::Tenure;
 using runtime::Watched;
 using namespace std::chrono_literals;
 
@@ -32,18 +33,22 @@ ModemShell::ModemShell(const modem::RadioLimits& limits, std::uint32_t robot, co
     : address_{address},
       loop_{loop},
       began_{std::chrono::steady_clock::now()},
+      number_{robot},
       own_{own_number(robot)},
       radio_{limits},
-      bus_{bus, [this](const Discovery& news) {
-             if (news.kind == Discovery::Kind::kGone) mailbox_.post({news.participant, std::nullopt});
+      bus_{bus, [this, robot](const Discovery& news) {
+             const bool has_left = news.kind == Discovery::Kind::kGone ||
+                                   (news.kind == Discovery::Kind::kWriterGone &&
+                                    news.topic == idl::name_for(idl::kRadioTransmit, robot));
+             if (has_left) mailbox_.post({{news.participant, runtime::Claim::kNone}, std::nullopt});
            }} {
   if (address.serial) claim_.emplace(canonical(*address.serial), "--modem");
   if (!address.serial) air_.emplace(address.udp_port);
   receives_ = bus_.writer<msg::RadioReceivePubSubType>(idl::kRadioReceive, robot);
-  bus_.reader<msg::RadioTransmitPubSubType>(
-      idl::kRadioTransmit, robot, [this](const msg::RadioTransmit& sample, const ParticipantId& sender) {
-        mailbox_.post({sender, sample});
-      });
+  bus_.reader<msg::RadioTransmitPubSubType>(idl::kRadioTransmit, robot,
+                                            [this](const msg::RadioTransmit& sample, const Sender& sender) {
+                                              mailbox_.post({sender, sample});
+                                            });
   spdlog::info("robot={} modem ready: mtu={} channels={}", robot, limits.mtu_bytes, limits.channel_count);
 }
 
@@ -52,11 +57,18 @@ ModemShell::~ModemShell() { bus_.close(); }
 void ModemShell::read_mailbox() {
   for (const Mail& mail : mailbox_.take()) {
     if (!mail.sample) {
-      if (agent_ == mail.from) agent_.reset();
+      if (!agent_.release(mail.from)) continue;
+      session_ = 0;  // that of another agent's world may have any number
+      for (const Tenure::Later& take_kept : agent_.hand_over()) take_kept();
+      if (const auto holder = agent_.holder()) bus_.forgive(*holder);
       continue;
     }
-    if (!agent_) agent_ = mail.from;
-    if (agent_ == mail.from && mail.sample->session() >= session_) take(*mail.sample);
+    if (agent_.claim(mail.from) == Tenure::Standing::kRefused) {
+      bus_.refuse(mail.from, idl::kRadioTransmit, number_);
+      agent_.keep(mail.from, [this, sample = *mail.sample] { take(sample); });
+    } else if (mail.sample->session() >= session_) {
+      take(*mail.sample);
+    }
   }
 }
 

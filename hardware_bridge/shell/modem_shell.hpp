@@ -13,6 +13,7 @@
 #include "hardware_bridge/shell/udp_air.hpp"
 #include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/bus/tenure.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/process/mailbox.hpp"
 
@@ -42,7 +43,7 @@ class ModemShell {
 
  private:
   struct Mail {
-    runtime::ParticipantId from;
+    runtime::Sender from;
     std::optional<caravan_interfaces::msg::RadioTransmit> sample;  ///< none: it is gone
   };
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
@@ -58,7 +59,8 @@ class ModemShell {
   const ModemAddress address_;
   runtime::Loop& loop_;
   const runtime::WallTime began_;
-  const std::uint32_t own_;  // this modem's number in packets
+  const std::uint32_t number_;  // the robot's
+  const std::uint32_t own_;     // this modem's number in packets
   modem::HalfDuplex radio_;
   std::optional<Claim> claim_;
   std::optional<UdpAir> air_;
@@ -67,7 +69,7 @@ class ModemShell {
   Retry retry_;
   NoticeLimit limit_;
   std::uint64_t told_drops_ = 0;
-  std::optional<runtime::ParticipantId> agent_;
+  runtime::Tenure agent_;
   std::uint64_t session_ = 0;
   builtin_interfaces::msg::Time stamp_;
 

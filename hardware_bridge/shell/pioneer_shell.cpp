@@ -14,7 +14,8 @@
 namespace caravan::bridge {
 namespace msg = caravan_interfaces::msg;
 using runtime::Discovery;
-using runtime::ParticipantId;
+using runtime::Sender;
+using runtime::Tenure;
 using runtime::Watched;
 using namespace std::chrono_literals;
 
@@ -42,17 +43,21 @@ PioneerShell::PioneerShell(const BridgeConfig& config, std::uint32_t robot, cons
       loop_{loop},
       began_{std::chrono::steady_clock::now()},
       session_{new_session()},
+      number_{robot},
       bridge_{config},
       robot_{devices.robot, "", "--port"},
-      bus_{bus, [this](const Discovery& news) {
-             if (news.kind == Discovery::Kind::kGone) mailbox_.post({news.participant, std::nullopt});
+      bus_{bus, [this, robot](const Discovery& news) {
+             const bool has_left =
+                 news.kind == Discovery::Kind::kGone || (news.kind == Discovery::Kind::kWriterGone &&
+                                                         news.topic == idl::name_for(idl::kCommand, robot));
+             if (has_left) mailbox_.post({{news.participant, runtime::Claim::kNone}, std::nullopt});
            }} {
   if (devices.gps) gps_.emplace(*devices.gps, "GPS ", "--gps");
   sensors_ = bus_.writer<msg::SensorFramePubSubType>(idl::kSensors, robot);
-  bus_.reader<msg::RobotCommandPubSubType>(
-      idl::kCommand, robot, [this](const msg::RobotCommand& command, const ParticipantId& sender) {
-        mailbox_.post({sender, command});
-      });
+  bus_.reader<msg::RobotCommandPubSubType>(idl::kCommand, robot,
+                                           [this](const msg::RobotCommand& command, const Sender& sender) {
+                                             mailbox_.post({sender, command});
+                                           });
 }
 
 PioneerShell::~PioneerShell() { bus_.close(); }
@@ -60,17 +65,25 @@ PioneerShell::~PioneerShell() { bus_.close(); }
 void PioneerShell::read_mailbox() {
   for (const Mail& mail : mailbox_.take()) {
     if (!mail.command) {
-      if (agent_ != mail.from) continue;
+      if (!agent_.release(mail.from)) continue;
       warn("the agent is gone: wheels stopped");
-      agent_.reset();
       bridge_.forget_wish(now());
+      for (const Tenure::Later& take : agent_.hand_over()) take();
+      if (const auto holder = agent_.holder()) bus_.forgive(*holder);
     } else if (mail.command->session() == session_) {
-      if (!agent_) agent_ = mail.from;
-      if (agent_ != mail.from) continue;  // one agent for one robot
-      bridge_.wish({mail.command->left_mps(), mail.command->right_mps(), mail.command->gripper_closed()},
-                   idl::to_time(mail.command->stamp()), now());
+      if (agent_.claim(mail.from) != Tenure::Standing::kRefused) {
+        obey(*mail.command);
+        continue;
+      }
+      bus_.refuse(mail.from, idl::kCommand, number_);
+      agent_.keep(mail.from, [this, command = *mail.command] { obey(command); });
     }
   }
+}
+
+void PioneerShell::obey(const msg::RobotCommand& command) {
+  bridge_.wish({command.left_mps(), command.right_mps(), command.gripper_closed()},
+               idl::to_time(command.stamp()), now());
 }
 
 int PioneerShell::run() {

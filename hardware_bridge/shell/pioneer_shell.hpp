@@ -14,6 +14,7 @@
 #include "hardware_bridge/shell/line.hpp"
 #include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/bus/tenure.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/process/mailbox.hpp"
 
@@ -47,7 +48,7 @@ class PioneerShell {
  private:
   using Wall = runtime::WallTime;
   struct Mail {
-    runtime::ParticipantId from;
+    runtime::Sender from;
     std::optional<caravan_interfaces::msg::RobotCommand> command;  ///< none: it is gone
   };
 
@@ -71,6 +72,7 @@ class PioneerShell {
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
   [[nodiscard]] Wall next_deadline() const;
   void read_mailbox();
+  void obey(const caravan_interfaces::msg::RobotCommand& command);
   void keep_lines_open();
   void open(Port& port, unsigned baud);
   /// @return what has arrived
@@ -88,6 +90,7 @@ class PioneerShell {
   runtime::Loop& loop_;
   const Wall began_;
   const std::uint64_t session_;
+  const std::uint32_t number_;  // the robot's
 
   Bridge bridge_;
   Port robot_;
@@ -95,7 +98,7 @@ class PioneerShell {
   NoticeLimit limit_;
   BaudSearch search_;
   bool robot_was_up_ = false;
-  std::optional<runtime::ParticipantId> agent_;
+  runtime::Tenure agent_;
   std::uint64_t refused_writes_ = 0;
 
   runtime::Mailbox<Mail> mailbox_{loop_};

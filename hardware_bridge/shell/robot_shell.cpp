@@ -24,19 +24,33 @@ RobotShell::RobotShell(const RobotConfig& config, std::uint32_t robot, const Por
       gps_port_{ports.gps},
       robot_{config},
       gps_{config.arena},
-      bus_{bus} {
+      bus_{bus, [this](const runtime::Discovery& news) {
+             using Kind = runtime::Discovery::Kind;
+             if (news.kind == Kind::kGone || news.kind == Kind::kWriterGone) mailbox_.post(news);
+           }} {
   commands_ = bus_.writer<msg::RobotCommandPubSubType>(idl::kBodyCommand, robot);
   bus_.reader<msg::SensorFramePubSubType>(
-      idl::kBodySensors, robot,
-      [this](const msg::SensorFrame& frame, const runtime::ParticipantId& /*sender*/) { on_body(frame); });
+      idl::kBodySensors, robot, [this, robot](const msg::SensorFrame& frame, const runtime::Sender& sender) {
+        const std::lock_guard lock{mutex_};
+        if (world_.claim(sender) != runtime::Tenure::Standing::kRefused) return on_body(frame);
+        bus_.refuse(sender, idl::kBodySensors, robot);
+        world_.keep(sender, [this, frame] { on_body(frame); });
+      });
   spdlog::info("robot={} hosts on 127.0.0.1:{}, GPS (NMEA 0183) on 127.0.0.1:{}", robot, robot_port_.port(),
                gps_port_.port());
 }
 
 RobotShell::~RobotShell() { bus_.close(); }
 
+void RobotShell::read_mailbox() {
+  for (const runtime::Discovery& gone : mailbox_.take()) {
+    if (!world_.release(gone.participant)) continue;
+    for (const runtime::Tenure::Later& take : world_.hand_over()) take();
+    if (const auto holder = world_.holder()) bus_.forgive(*holder);
+  }
+}
+
 void RobotShell::on_body(const msg::SensorFrame& frame) {
-  const std::lock_guard lock{mutex_};
   if (frame.session() < session_) return;
   body_watch_.heard(now());
   if (frame.session() > session_) {
@@ -130,6 +144,7 @@ void RobotShell::let_in_a_host() {
 
 void RobotShell::attend_robot(bool host_waits, bool ready) {
   const std::lock_guard lock{mutex_};
+  read_mailbox();
   if (std::exchange(rebooted_, false) && host_.is_open()) {
     spdlog::info("the host's connection ends");
     host_.close();

@@ -11,7 +11,9 @@
 #include "hardware_bridge/shell/listener.hpp"
 #include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/bus/tenure.hpp"
 #include "runtime/process/loop.hpp"
+#include "runtime/process/mailbox.hpp"
 
 namespace caravan::bridge {
 
@@ -38,6 +40,8 @@ class RobotShell {
  private:
   using Wall = runtime::WallTime;
 
+  // These under the lock.
+  void read_mailbox();
   void on_body(const caravan_interfaces::msg::SensorFrame& frame);
   void answer(const caravan_interfaces::msg::SensorFrame& frame);
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
@@ -67,6 +71,9 @@ class RobotShell {
   std::uint64_t session_ = 0;
   bool rebooted_ = false;  // since the main thread looked
   std::uint64_t refused_writes_ = 0;
+  runtime::Tenure world_;
+
+  runtime::Mailbox<runtime::Discovery> mailbox_{loop_};
 
   runtime::Bus bus_;  // after the state, so that no callback outlives it
   runtime::Writer<caravan_interfaces::msg::RobotCommandPubSubType> commands_;

@@ -29,7 +29,9 @@ RadioAction to_action(const msg::ControlRequest& request) {
 void RadioShell::on_control(const msg::ControlRequest& request) {
   if (request.action() != kind::RADIO_OVERRIDE && request.action() != kind::RADIO_CLEAR) return;
   const std::lock_guard lock{mutex_};
-  if (!follow_session(request.session())) {
+  // Before the first truth it is the request that tells which session is the world's.
+  if (!has_truth_ && request.session() > session_) begin_session(request.session());
+  if (request.session() != session_) {
     reply(Outcome{request.requester(), request.id(), Outcome::Kind::kRefused, 0, "that session is over"});
     return;
   }

@@ -13,7 +13,8 @@
 namespace caravan::radio {
 namespace msg = caravan_interfaces::msg;
 using runtime::Discovery;
-using runtime::ParticipantId;
+using runtime::Sender;
+using runtime::Tenure;
 using namespace std::chrono_literals;
 
 RadioShell::RadioShell(const MediumConfig& config, const Fleet& fleet, const runtime::BusConfig& bus,
@@ -25,7 +26,8 @@ RadioShell::RadioShell(const MediumConfig& config, const Fleet& fleet, const run
       robots_(fleet.robots),
       control_{fleet.robots},
       bus_{bus, [this](const Discovery& news) {
-             if (news.kind == Discovery::Kind::kGone) mailbox_.post(news);
+             if (news.kind == Discovery::Kind::kGone || news.kind == Discovery::Kind::kWriterGone)
+               mailbox_.post(news);
            }} {
   for (const std::uint32_t body : fleet.bodies) robots_[body - 1].is_body = true;
   radio_steps_ = bus_.writer<msg::RadioStepPubSubType>(idl::kRadioStep);
@@ -37,25 +39,23 @@ RadioShell::RadioShell(const MediumConfig& config, const Fleet& fleet, const run
   for (std::uint32_t robot = 1; robot <= fleet.robots; ++robot) {
     robots_[robot - 1].pending.robot = robot;
     bus_.reader<msg::RadioTransmitPubSubType>(
-        idl::kRadioTransmit, robot,
-        [this, robot](const msg::RadioTransmit& sample, const ParticipantId& sender) {
+        idl::kRadioTransmit, robot, [this, robot](const msg::RadioTransmit& sample, const Sender& sender) {
           on_transmit(robot, sample, sender);
         });
   }
   bus_.reader<msg::WorldTruthPubSubType>(
       idl::kTruth, 0,
-      [this](const msg::WorldTruth& sample, const ParticipantId& sender) { on_truth(sample, sender); });
+      [this](const msg::WorldTruth& sample, const Sender& sender) { on_truth(sample, sender); });
   bus_.reader<msg::ControlRequestPubSubType>(
       idl::kControlRequest, 0,
-      [this](const msg::ControlRequest& request, const ParticipantId& /*sender*/) { on_control(request); });
+      [this](const msg::ControlRequest& request, const Sender& /*sender*/) { on_control(request); });
 }
 
 RadioShell::~RadioShell() { bus_.close(); }
 
-bool RadioShell::follow_session(std::uint64_t session) {
-  if (session < session_) return false;
-  if (session == session_) return true;
+void RadioShell::begin_session(std::uint64_t session) {
   session_ = session;
+  has_truth_ = false;
   open_.reset();
   newest_ = Time{-1};
   next_step_ = 0;
@@ -67,8 +67,9 @@ bool RadioShell::follow_session(std::uint64_t session) {
     robot.sent_at.reset();
     robot.pending.tuned = 0;
     robot.pending.frames.clear();
+    const auto early = std::exchange(robot.early, std::nullopt);
+    if (early && early->session() == session_) take_transmit(robot, *early);
   }
-  return true;
 }
 
 bool RadioShell::follow_bridge(Robot& robot, std::uint64_t session) {
@@ -82,13 +83,26 @@ bool RadioShell::follow_bridge(Robot& robot, std::uint64_t session) {
   return true;
 }
 
-void RadioShell::on_truth(const msg::WorldTruth& sample, const ParticipantId& sender) {
+void RadioShell::on_truth(const msg::WorldTruth& sample, const Sender& sender) {
   const std::lock_guard lock{mutex_};
+  read_mailbox();
+  if (world_.claim(sender) != Tenure::Standing::kRefused) return take_truth(sample);
+  ++stale_samples_;
+  bus_.refuse(sender, idl::kTruth);
+  world_.keep(sender, [this, sample] { take_truth(sample); });
+}
+
+void RadioShell::take_truth(const msg::WorldTruth& sample) {
   const Time stamp = idl::to_time(sample.stamp());
-  if (!follow_session(sample.session()) || stamp < newest_) {
+  // A world has one session; that of another one may have any number.
+  if (sample.session() != session_ && !(has_truth_ && sample.session() < session_)) {
+    begin_session(sample.session());
+  }
+  if (sample.session() != session_ || stamp < newest_) {
     ++stale_samples_;
     return;
   }
+  has_truth_ = true;
   if (stamp > newest_ && open_) evaluate();
   const bool evaluated_already = stamp == newest_ && !open_;
   if (stamp > newest_) {
@@ -98,48 +112,60 @@ void RadioShell::on_truth(const msg::WorldTruth& sample, const ParticipantId& se
     next_step_ = step + 1;
   }
   newest_ = stamp;
-  source_ = sender;
   if (sample.last()) publish_status();  // an observer writes the last counts down
   if (evaluated_already || sample.last()) return;
   open_ = sample;
   evaluate_if_complete();
 }
 
-void RadioShell::on_transmit(std::uint32_t robot, const msg::RadioTransmit& sample,
-                             const ParticipantId& sender) {
+void RadioShell::on_transmit(std::uint32_t robot, const msg::RadioTransmit& sample, const Sender& sender) {
   const std::lock_guard lock{mutex_};
   read_mailbox();
   Robot& from = robots_[robot - 1];
-  if (!from.owner) from.owner = sender;
-  if (from.owner == sender) {
-    take_transmit(from, sample);
-    return;
-  }
+  if (from.agent.claim(sender) != Tenure::Standing::kRefused) return take_transmit(from, sample);
   ++stale_samples_;
-  from.successor = {sender, sample};
+  bus_.refuse(sender, idl::kRadioTransmit, robot);
+  from.agent.keep(sender, [this, &from, sample] { take_transmit(from, sample); });
 }
 
 void RadioShell::read_mailbox() {
-  for (const Discovery& news : mailbox_.take()) {
-    const ParticipantId one = news.participant;
-    if (source_ == one) spdlog::info("{} is gone: waiting for another one", news.identity.role);
-    for (Robot& robot : robots_) {
-      if (robot.successor && robot.successor->who == one) robot.successor.reset();
-      if (robot.owner != one) continue;
-      robot.owner.reset();
-      if (const auto next = std::exchange(robot.successor, std::nullopt)) {
-        robot.owner = next->who;
-        take_transmit(robot, next->sample);
-      }
-    }
+  for (const Discovery& gone : mailbox_.take()) forget(gone);
+}
+
+void RadioShell::forget(const Discovery& gone) {
+  const auto concerns = [&gone](const idl::Topic& topic, std::uint32_t robot = 0) {
+    return gone.kind == Discovery::Kind::kGone || gone.topic == idl::name_for(topic, robot);
+  };
+  if (concerns(idl::kTruth) && world_.release(gone.participant)) {
+    spdlog::info("{} is gone: waiting for another one", gone.identity.role);
+    has_truth_ = false;
+    hand_over(world_);
   }
+  for (Robot& robot : robots_) {
+    if (!concerns(idl::kRadioTransmit, robot.pending.robot) || !robot.agent.release(gone.participant))
+      continue;
+    robot.early.reset();
+    robot.session = 0;
+    hand_over(robot.agent);
+  }
+}
+
+void RadioShell::hand_over(Tenure& tenure) {
+  for (const Tenure::Later& take : tenure.hand_over()) take();
+  if (const auto holder = tenure.holder()) bus_.forgive(*holder);
 }
 
 void RadioShell::take_transmit(Robot& from, const msg::RadioTransmit& sample) {
   const Time stamp = idl::to_time(sample.stamp());
-  const bool current =
-      from.is_body ? follow_bridge(from, sample.session()) : follow_session(sample.session());
-  if (!current || (from.sent_at && stamp <= *from.sent_at)) {
+  if (!from.is_body && sample.session() != session_) {
+    if (!has_truth_ || sample.session() > session_) {
+      from.early = sample;
+    } else {
+      ++stale_samples_;
+    }
+    return;
+  }
+  if ((from.is_body && !follow_bridge(from, sample.session())) || (from.sent_at && stamp <= *from.sent_at)) {
     ++stale_samples_;
     return;
   }
@@ -252,6 +278,7 @@ void RadioShell::publish_status() {
   status.stale_samples(stale_samples_);
   for (const std::uint32_t robot : awaited()) status.awaited().push_back("robot " + std::to_string(robot));
   status.compute_s(std::chrono::duration<double>(compute_).count());
+  for (const runtime::Stranger& one : bus_.strangers()) status.strangers().push_back(to_text(one));
   statuses_.write(status);
   if (refused_writes_ > 0 && !told_refused_writes_) {
     spdlog::error("DDS refused a sample: the world or an agent may be waiting for it");

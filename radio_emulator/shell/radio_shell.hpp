@@ -14,6 +14,7 @@
 #include "radio_emulator/medium/medium.hpp"
 #include "radio_emulator/medium/radio_control.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/bus/tenure.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/process/mailbox.hpp"
 #include "runtime/pure/hash_chain.hpp"
@@ -50,30 +51,31 @@ class RadioShell {
  private:
   using Time = std::chrono::nanoseconds;
 
-  /// The newest transmission of a participant that does not count as long as the one before it is not gone.
-  struct Successor {
-    runtime::ParticipantId who;
-    caravan_interfaces::msg::RadioTransmit sample;
-  };
   struct Robot {
-    std::optional<runtime::ParticipantId> owner;
-    std::optional<Successor> successor;
+    runtime::Tenure agent;
+    /// The newest of a session whose truth is still to come: agents answer the first frame before it.
+    std::optional<caravan_interfaces::msg::RadioTransmit> early;
     std::optional<Time> sent_at;  // stamp of the newest transmission
     bool is_body = false;         // behind a bridge
     std::uint64_t session = 0;    // of a body's bridge
     Transmission pending;         // not evaluated yet; its tuned channel holds on
   };
 
-  void on_truth(const caravan_interfaces::msg::WorldTruth& sample, const runtime::ParticipantId& sender);
+  void on_truth(const caravan_interfaces::msg::WorldTruth& sample, const runtime::Sender& sender);
+  void take_truth(const caravan_interfaces::msg::WorldTruth& sample);
   void on_transmit(std::uint32_t robot, const caravan_interfaces::msg::RadioTransmit& sample,
-                   const runtime::ParticipantId& sender);
+                   const runtime::Sender& sender);
   void take_transmit(Robot& from, const caravan_interfaces::msg::RadioTransmit& sample);
+  /// A participant has gone, or one of its writers: leaving is either.
+  void forget(const runtime::Discovery& gone);
+  /// The next participant that has claimed the role holds it.
+  void hand_over(runtime::Tenure& tenure);
   void read_mailbox();
   void on_control(const caravan_interfaces::msg::ControlRequest& request);
   void reply(const pure::Outcome& outcome);
   void reply(const std::vector<pure::Outcome>& outcomes);
-  /// False: a sample of a session that is over. A newer session starts everything anew.
-  [[nodiscard]] bool follow_session(std::uint64_t session);
+  /// A session of the world begins: starts everything anew.
+  void begin_session(std::uint64_t session);
   /// The same of a body's own session.
   [[nodiscard]] static bool follow_bridge(Robot& robot, std::uint64_t session);
   [[nodiscard]] std::vector<std::uint32_t> awaited() const;
@@ -93,8 +95,9 @@ class RadioShell {
   std::vector<Robot> robots_;                                // [0] is robot 1
   std::optional<caravan_interfaces::msg::WorldTruth> open_;  // the step that is not evaluated yet
   Time newest_{-1};                                          // stamp of the newest truth
-  std::optional<runtime::ParticipantId> source_;             // of the newest truth
-  std::uint64_t next_step_ = 0;                              // after the newest truth's
+  runtime::Tenure world_;
+  bool has_truth_ = false;       // of session_, by the participant that is the world now
+  std::uint64_t next_step_ = 0;  // after the newest truth's
   RadioControl control_;
   pure::HashChain chain_;
   Drops drops_;

@@ -11,7 +11,8 @@
 namespace caravan::agent {
 namespace msg = caravan_interfaces::msg;
 using runtime::Discovery;
-using runtime::ParticipantId;
+using runtime::Sender;
+using runtime::Tenure;
 using namespace std::chrono_literals;
 
 namespace {
@@ -30,53 +31,102 @@ AgentShell::AgentShell(const std::vector<Config>& configs, const runtime::BusCon
              if (news.kind != Discovery::Kind::kJoined) mailbox_.post(news);
            }} {
   clash_.emplace(bus_.id(), bus_.identity(),
-                 std::chrono::nanoseconds{static_cast<std::int64_t>((bus.lease_s + 0.5) * 1e9)});
+                 std::chrono::nanoseconds{static_cast<std::int64_t>((bus.lease_s + 0.5) * 1e9)}, began_);
   for (const Config& config : configs) {
     robot_of_topic_[idl::name_for(idl::kCommand, config.id.value)] = config.id.value;
     agents_.emplace_back(config, bus_);
   }
   // Not under the lock: making a reader waits for DDS's own locks, whose holders may be waiting for ours in a
   // callback.
-  for (HostedAgent& agent : agents_) make_readers(agent);
+  for (Hosted& one : agents_) make_readers(one);
 }
 
 AgentShell::~AgentShell() { bus_.close(); }
 
-void AgentShell::make_readers(HostedAgent& agent) {
+void AgentShell::make_readers(Hosted& one) {
   bus_.reader<msg::RadioReceivePubSubType>(
-      idl::kRadioReceive, agent.robot(),
-      [this, &agent](const msg::RadioReceive& sample, const ParticipantId&) {
-        const std::lock_guard lock{mutex_};
-        agent.hear(sample, !clash_->must_be_silent());
-      });
+      idl::kRadioReceive, one.agent.robot(),
+      [this, &one](const msg::RadioReceive& sample, const Sender& sender) { hear(one, sample, sender); });
   bus_.reader<msg::SensorFramePubSubType>(
-      idl::kSensors, agent.robot(),
-      [this, &agent](const msg::SensorFrame& frame, const ParticipantId& sender) {
-        const std::lock_guard lock{mutex_};
-        source_ = sender;
-        agent.sense(frame, !clash_->must_be_silent());
-      });
+      idl::kSensors, one.agent.robot(),
+      [this, &one](const msg::SensorFrame& frame, const Sender& sender) { sense(one, frame, sender); });
+}
+
+void AgentShell::hear(Hosted& one, const msg::RadioReceive& sample, const Sender& sender) {
+  const std::lock_guard lock{mutex_};
+  if (one.radio.claim(sender) != Tenure::Standing::kRefused)
+    return one.agent.hear(sample, !clash_->must_be_silent());
+  bus_.refuse(sender, idl::kRadioReceive, one.agent.robot());
+  one.radio.keep(sender, [this, &one, sample] { one.agent.hear(sample, !clash_->must_be_silent()); });
+}
+
+void AgentShell::sense(Hosted& one, const msg::SensorFrame& frame, const Sender& sender) {
+  const std::lock_guard lock{mutex_};
+  const Tenure::Standing standing = one.provider.claim(sender);
+  if (standing == Tenure::Standing::kRefused) {
+    bus_.refuse(sender, idl::kSensors, one.agent.robot());
+    one.provider.keep(sender, [this, &one, frame] {
+      one.agent.meet_provider();
+      one.agent.sense(frame, !clash_->must_be_silent());
+    });
+    return;
+  }
+  if (standing == Tenure::Standing::kBegins) one.agent.meet_provider();
+  one.agent.sense(frame, !clash_->must_be_silent());
 }
 
 void AgentShell::read_mailbox(Wall now) {
-  for (const Discovery& one : mailbox_.take()) {
-    if (one.kind == Discovery::Kind::kGone) {
-      clash_->vanished(one.participant);
-      if (source_ == one.participant) spdlog::info("{} is gone: waiting for another one", one.identity.role);
-    }
-    if (one.kind != Discovery::Kind::kWriterFound) continue;
-    if (const auto ours = robot_of_topic_.find(one.topic); ours != robot_of_topic_.end()) {
-      clash_->found(ours->second, one.participant, one.identity, now);
+  for (const Discovery& news : mailbox_.take()) {
+    if (news.kind == Discovery::Kind::kWriterFound) {
+      meet(news, now);
+    } else if (news.kind != Discovery::Kind::kReaderFound) {
+      forget(news);
     }
   }
+}
+
+void AgentShell::meet(const Discovery& writer, Wall now) {
+  const auto ours = robot_of_topic_.find(writer.topic);
+  if (ours == robot_of_topic_.end() || claim_of(idl::kCommand, writer.identity) == runtime::Claim::kNone)
+    return;
+  const std::uint32_t robot = ours->second;
+  const auto one = std::find_if(agents_.begin(), agents_.end(),
+                                [robot](const Hosted& hosted) { return hosted.agent.robot() == robot; });
+  const bool has_answered = one->agent.has_world() && !clash_->must_be_silent();
+  if (clash_->found(robot, writer.participant, writer.identity, has_answered, now)) return;
+  spdlog::warn("robot {} has another writer of its commands: {}; the one whose command came first drives it",
+               robot, to_text(writer.participant, writer.identity));
+}
+
+void AgentShell::forget(const Discovery& gone) {
+  const auto concerns = [&gone](const idl::Topic& topic, std::uint32_t robot) {
+    return gone.kind == Discovery::Kind::kGone || gone.topic == idl::name_for(topic, robot);
+  };
+  if (gone.kind == Discovery::Kind::kGone || robot_of_topic_.contains(gone.topic))
+    clash_->vanished(gone.participant);
+  bool was_provider = false;
+  for (Hosted& one : agents_) {
+    if (concerns(idl::kSensors, one.agent.robot()) && one.provider.release(gone.participant)) {
+      was_provider = true;
+      hand_over(one.provider);
+    }
+    if (concerns(idl::kRadioReceive, one.agent.robot()) && one.radio.release(gone.participant))
+      hand_over(one.radio);
+  }
+  if (was_provider) spdlog::info("{} is gone: waiting for another one", gone.identity.role);
+}
+
+void AgentShell::hand_over(Tenure& tenure) {
+  for (const Tenure::Later& take : tenure.hand_over()) take();
+  if (const auto holder = tenure.holder()) bus_.forgive(*holder);
 }
 
 void AgentShell::settle_clash(Wall now) {
   const auto deadline = clash_->deadline();
   if (!deadline || now < *deadline) return;
   const Clash::Holder& holder = clash_->holder();
-  for (HostedAgent& agent : agents_) {
-    if (agent.robot() != holder.robot) agent.halt();
+  for (Hosted& one : agents_) {
+    if (one.agent.robot() != holder.robot) one.agent.halt();
   }
   throw runtime::StartError{"robot " + std::to_string(holder.robot) + " is already run by pid " +
                             std::to_string(holder.identity.pid) + " on host " + holder.identity.host +
@@ -87,20 +137,20 @@ void AgentShell::watch(Wall now) {
   read_mailbox(now);
   settle_clash(now);
   const bool refused = std::any_of(agents_.begin(), agents_.end(),
-                                   [](const HostedAgent& agent) { return agent.refused_writes() > 0; });
+                                   [](const Hosted& one) { return one.agent.refused_writes() > 0; });
   if (refused && !told_refused_writes_) {
     spdlog::error("DDS refused a sample: the world or an observer may be waiting for it");
     told_refused_writes_ = true;
   }
   if (clash_->must_be_silent()) return;
-  for (HostedAgent& agent : agents_) agent.catch_up(now);
+  for (Hosted& one : agents_) one.agent.catch_up(now);
   say_who_waits(now);
 }
 
 const HostedAgent* AgentShell::first_without_world() const {
   const auto found = std::find_if_not(agents_.begin(), agents_.end(),
-                                      [](const HostedAgent& agent) { return agent.has_world(); });
-  return found == agents_.end() ? nullptr : &*found;
+                                      [](const Hosted& one) { return one.agent.has_world(); });
+  return found == agents_.end() ? nullptr : &found->agent;
 }
 
 void AgentShell::say_who_waits(Wall now) {
@@ -112,7 +162,7 @@ void AgentShell::say_who_waits(Wall now) {
 }
 
 AgentShell::Wall AgentShell::next_deadline(Wall now) const {
-  const bool idle = said_waiting_ && first_without_world() == &agents_.front();
+  const bool idle = said_waiting_ && first_without_world() == &agents_.front().agent;
   Wall deadline = now + (idle ? Wall::duration{kSayWaitingAgain} : Wall::duration{kWatchPeriod});
   if (const auto clash = clash_->deadline()) deadline = std::min(deadline, *clash);
   return deadline;
@@ -133,7 +183,7 @@ int AgentShell::run() {
     }
     const std::lock_guard lock{mutex_};
     if (clash_->must_be_silent()) return runtime::kDone;
-    for (HostedAgent& agent : agents_) agent.halt();
+    for (Hosted& one : agents_) one.agent.halt();
     return runtime::kDone;
   }
 }

@@ -11,6 +11,7 @@
 #include "robot_agent/shell/clash.hpp"
 #include "robot_agent/shell/hosted_agent.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/bus/tenure.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/process/mailbox.hpp"
 
@@ -37,9 +38,24 @@ class AgentShell {
  private:
   using Wall = std::chrono::steady_clock::time_point;
 
-  void make_readers(HostedAgent& agent);
+  /// One of the agents, and who may speak to it.
+  struct Hosted {
+    Hosted(const Config& config, runtime::Bus& bus) : agent{config, bus} {}
+    HostedAgent agent;
+    runtime::Tenure provider;  // of sensor frames: the world or a bridge
+    runtime::Tenure radio;
+  };
+
+  void make_readers(Hosted& one);
+  void hear(Hosted& one, const caravan_interfaces::msg::RadioReceive& sample, const runtime::Sender& sender);
+  void sense(Hosted& one, const caravan_interfaces::msg::SensorFrame& frame, const runtime::Sender& sender);
   void watch(Wall now);
   void read_mailbox(Wall now);
+  void meet(const runtime::Discovery& writer, Wall now);
+  /// A participant has gone, or one of its writers: leaving is either.
+  void forget(const runtime::Discovery& gone);
+  /// The next participant that has claimed the role holds it.
+  void hand_over(runtime::Tenure& tenure);
   /// @throws StartError when the other process does not vanish
   void settle_clash(Wall now);
   void say_who_waits(Wall now);
@@ -52,10 +68,9 @@ class AgentShell {
   const Wall began_;
 
   std::mutex mutex_;
-  std::deque<HostedAgent> agents_;                       // callbacks refer to them
+  std::deque<Hosted> agents_;                            // callbacks refer to them
   std::map<std::string, std::uint32_t> robot_of_topic_;  // commands of these robots are ours to write
   std::optional<Clash> clash_;
-  std::optional<runtime::ParticipantId> source_;  // of the newest sensor frame: a world or a bridge
   std::optional<Wall> said_waiting_;
   bool told_refused_writes_ = false;
 

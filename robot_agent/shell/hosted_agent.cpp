@@ -19,6 +19,7 @@ namespace msg = caravan_interfaces::msg;
 namespace {
 
 constexpr auto kRadioPatience = std::chrono::seconds{1};
+constexpr std::size_t kMostHeard = 4096;  // frames between two steps, when no sensor frame comes for long
 
 /// In the paper's form; with --log-level trace only.
 template <typename AnyFrame>
@@ -43,7 +44,8 @@ HostedAgent::HostedAgent(const Config& config, runtime::Bus& bus)
       telemetry_{bus.writer<msg::TelemetryPubSubType>(idl::kTelemetry, robot())} {}
 
 bool HostedAgent::follow_session(std::uint64_t session) {
-  if (session < session_) return false;
+  if (session < session_ && !is_new_provider_) return false;
+  is_new_provider_ = false;
   if (session == session_) return true;
   spdlog::info("session={} robot={}: starting from the initial state", session, robot());
   session_ = session;
@@ -53,6 +55,8 @@ bool HostedAgent::follow_session(std::uint64_t session) {
   waiting_.reset();
   held_.reset();
   compute_ = {};
+  if (const auto early = std::exchange(early_, std::nullopt); early && early->session() == session_)
+    take_in(*early);
   return true;
 }
 
@@ -72,12 +76,21 @@ void HostedAgent::sense(const msg::SensorFrame& frame, bool may_answer) {
 }
 
 void HostedAgent::hear(const msg::RadioReceive& sample, bool may_answer) {
-  if (!follow_session(sample.session())) return;
+  // The session is that of the sensor frames, which may come after what belongs to them.
+  if (sample.session() != session_) {
+    if (sample.session() > session_) early_ = sample;
+    return;
+  }
+  take_in(sample);
+  if (waiting_ && may_answer && heard_until_ >= idl::to_time(waiting_->stamp())) step(*waiting_);
+}
+
+void HostedAgent::take_in(const msg::RadioReceive& sample) {
   for (const msg::ReceivedFrame& frame : sample.frames()) {
+    if (heard_.size() >= kMostHeard) break;
     heard_.push_back({Channel{frame.channel()}, frame.bytes(), frame.signal_strength_dbm()});
   }
   heard_until_ = std::max(heard_until_, idl::to_time(sample.stamp()));
-  if (waiting_ && may_answer && heard_until_ >= idl::to_time(waiting_->stamp())) step(*waiting_);
 }
 
 void HostedAgent::step(const msg::SensorFrame& frame) {

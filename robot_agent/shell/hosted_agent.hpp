@@ -24,6 +24,8 @@ class HostedAgent {
   /// @throws StartError when DDS refuses a writer
   HostedAgent(const Config& config, runtime::Bus& bus);
 
+  /// Its frames come from another participant from now on, whose session may have any number.
+  void meet_provider() { is_new_provider_ = true; }
   void sense(const caravan_interfaces::msg::SensorFrame& frame, bool may_answer);
   void hear(const caravan_interfaces::msg::RadioReceive& sample, bool may_answer);
   /// Answers what it has kept and what has waited for the radio too long. @pre the robot is this process's
@@ -36,17 +38,20 @@ class HostedAgent {
   [[nodiscard]] std::uint64_t refused_writes() const { return refused_writes_; }
 
  private:
-  /// False: a sample of a session that is over. A newer session starts the agent anew.
+  /// False: a frame of a session that is over. A newer session starts the agent anew.
   [[nodiscard]] bool follow_session(std::uint64_t session);
+  void take_in(const caravan_interfaces::msg::RadioReceive& sample);
   void step(const caravan_interfaces::msg::SensorFrame& frame);
   void answer(Outputs& outputs, const caravan_interfaces::msg::SensorFrame& frame);
 
   Config config_;
   std::uint64_t session_ = 0;
+  bool is_new_provider_ = true;
   std::optional<Agent> agent_;  // of this session
   Time now_{-1};                // stamp of the last frame stepped on
   std::vector<ReceivedFrame> heard_;
   Time heard_until_{-1};                                         // stamp of the newest RadioReceive
+  std::optional<caravan_interfaces::msg::RadioReceive> early_;   // of a session without a frame yet
   std::optional<caravan_interfaces::msg::SensorFrame> waiting_;  // for its radio
   Wall waiting_until_{};
   std::optional<caravan_interfaces::msg::SensorFrame> held_;  // the newest that it may not answer yet

@@ -18,7 +18,10 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/bus/discovery.hpp"
 #include "runtime/bus/fastdds_version.hpp"
+#include "runtime/bus/guid.hpp"
+#include "runtime/bus/lost_ports.hpp"
 #include "runtime/bus/place.hpp"
 #include "runtime/bus/profile.hpp"
 #include "runtime/bus/qos.hpp"
@@ -29,12 +32,6 @@
 
 namespace caravan::runtime {
 namespace {
-
-ParticipantId to_id(const rtps::GuidPrefix_t& prefix) {
-  ParticipantId id;
-  std::copy(std::begin(prefix.value), std::end(prefix.value), id.prefix.begin());
-  return id;
-}
 
 /// Process-wide settings that must stand before the first participant.
 void prepare_process() {
@@ -56,6 +53,7 @@ dds::DomainParticipant* join(const BusConfig& config, dds::DomainParticipantQos 
   const StartDeadline deadline{config.domain};
   auto* const factory = dds::DomainParticipantFactory::get_instance();
   const SendGate gate = hold_back_network(qos);
+  tolerate_lost_ports(qos);
   auto* const participant =
       factory->create_participant(config.domain, qos, listener, dds::StatusMask::none());
   if (participant == nullptr) return nullptr;
@@ -73,77 +71,36 @@ dds::DomainParticipant* join(const BusConfig& config, dds::DomainParticipantQos 
   return nullptr;
 }
 
-/// Turns Fast DDS's discovery callbacks into Discovery values.
-class DiscoveryListener final : public DiscoveryEvents {
- public:
-  explicit DiscoveryListener(Bus::DiscoveryCallback discovered) : discovered_{std::move(discovered)} {}
-
-  /// No callback is running or will run after this.
-  void mute() {
-    const std::lock_guard lock{mutex_};
-    discovered_ = {};
-  }
-
- private:
-  void participant_found(const rtps::GUID_t& guid, const std::string& name) override {
-    const ParticipantId id = to_id(guid.guidPrefix);
-    const std::lock_guard lock{mutex_};
-    known_[id] = to_identity(name);
-    report({Discovery::Kind::kJoined, id, known_[id], ""});
-  }
-  void participant_gone(const rtps::GUID_t& guid) override {
-    const ParticipantId id = to_id(guid.guidPrefix);
-    const std::lock_guard lock{mutex_};
-    report({Discovery::Kind::kGone, id, known_[id], ""});
-    known_.erase(id);
-  }
-  void writer_found(dds::DomainParticipant* own, const rtps::GUID_t& guid,
-                    const std::string& topic) override {
-    endpoint_found(Discovery::Kind::kWriterFound, own, guid, topic);
-  }
-  void reader_found(dds::DomainParticipant* own, const rtps::GUID_t& guid,
-                    const std::string& topic) override {
-    endpoint_found(Discovery::Kind::kReaderFound, own, guid, topic);
-  }
-  void endpoint_found(Discovery::Kind kind, const dds::DomainParticipant* own, const rtps::GUID_t& guid,
-                      const std::string& topic) {
-    if (guid.guidPrefix == own->guid().guidPrefix) return;
-    const ParticipantId id = to_id(guid.guidPrefix);
-    const std::lock_guard lock{mutex_};
-    const auto known = known_.find(id);
-    report({kind, id, known == known_.end() ? Identity{} : known->second, topic});
-  }
-  void report(const Discovery& discovery) {
-    if (discovered_) discovered_(discovery);
-  }
-
-  std::mutex mutex_;
-  Bus::DiscoveryCallback discovered_;
-  std::map<ParticipantId, Identity> known_;
-};
-
 }  // namespace
 
+/// A reader's listener: hands over what its topic's writers may say.
 class Bus::Inbox final : public dds::DataReaderListener {
  public:
-  Inbox(std::shared_ptr<void> sample, Take take) : sample_{std::move(sample)}, take_{std::move(take)} {}
+  Inbox(const idl::Topic& topic, std::string name, Impl& bus, std::shared_ptr<void> sample, Take take)
+      : topic_{topic},
+        name_{std::move(name)},
+        bus_{bus},
+        sample_{std::move(sample)},
+        take_{std::move(take)} {}
 
-  void on_data_available(dds::DataReader* reader) override {
-    dds::SampleInfo info;
-    while (is_ok(reader->take_next_sample(sample_.get(), &info))) {
-      if (info.valid_data) take_(sample_.get(), to_id(info.sample_identity.writer_guid().guidPrefix));
-    }
-  }
+  void on_data_available(dds::DataReader* reader) override;
 
  private:
+  Sender sender_of(const dds::SampleInfo& info);
+
+  const idl::Topic topic_;
+  const std::string name_;
+  Impl& bus_;
   std::shared_ptr<void> sample_;  // reused, so that a step allocates nothing
   Take take_;
+  std::vector<Sender> senders_;  // that have written lately
 };
 
 struct Bus::Impl {
   Identity identity;
   ParticipantId id;
   DiscoveryListener listener;
+  Strangers strangers;
   std::optional<Place> place;
   dds::DomainParticipant* participant = nullptr;
   dds::Publisher* publisher = nullptr;
@@ -165,6 +122,32 @@ struct Bus::Impl {
     return made;
   }
 };
+
+Sender Bus::Inbox::sender_of(const dds::SampleInfo& info) {
+  constexpr std::size_t kMostSenders = 16;
+  const ParticipantId id = to_id(info.sample_identity.writer_guid().guidPrefix);
+  const auto known =
+      std::find_if(senders_.begin(), senders_.end(), [&](const ParticipantId& one) { return one == id; });
+  if (known != senders_.end()) return *known;
+  if (senders_.size() == kMostSenders) senders_.clear();
+  senders_.push_back({id, claim_of(topic_, bus_.listener.identity_of(id))});
+  return senders_.back();
+}
+
+void Bus::Inbox::on_data_available(dds::DataReader* reader) {
+  dds::SampleInfo info;
+  while (is_ok(reader->take_next_sample(sample_.get(), &info))) {
+    if (!info.valid_data) continue;
+    const Sender sender = sender_of(info);
+    std::optional<Refusal> refusal = detail::refusal_of_this_thread();
+    if (sender.claim == Claim::kNone) refusal = Refusal::kNotItsRole;
+    if (refusal) {
+      bus_.strangers.refuse(sender, bus_.listener.identity_of(sender), name_, *refusal);
+    } else {
+      take_(sample_.get(), sender);
+    }
+  }
+}
 
 Bus::Bus(const BusConfig& config, DiscoveryCallback discovered)
     : impl_{std::make_unique<Impl>(std::move(discovered))} {
@@ -197,19 +180,30 @@ dds::DataWriter* Bus::make_writer(const idl::Topic& topic, std::uint32_t robot, 
   dds::DataWriter* writer = impl_->publisher->create_datawriter(
       impl_->topic(name, type), writer_qos(topic.delivery), nullptr, dds::StatusMask::none());
   if (writer == nullptr) throw StartError{"DDS refused a writer of " + name};
+  impl_->listener.has(DiscoveryListener::End::kWriter, name);
   return writer;
 }
 
 void Bus::make_reader(const idl::Topic& topic, std::uint32_t robot, dds::TopicDataType* type,
                       std::shared_ptr<void> sample, Take take) {
   const std::string name = idl::name_for(topic, robot);
-  impl_->inboxes.push_back(std::make_unique<Inbox>(std::move(sample), std::move(take)));
+  impl_->inboxes.push_back(std::make_unique<Inbox>(topic, name, *impl_, std::move(sample), std::move(take)));
   dds::DataReader* reader =
       impl_->subscriber->create_datareader(impl_->topic(name, type), reader_qos(topic.delivery),
                                            impl_->inboxes.back().get(), dds::StatusMask::data_available());
   if (reader == nullptr) throw StartError{"DDS refused a reader of " + name};
   impl_->readers.push_back(reader);
+  impl_->listener.has(DiscoveryListener::End::kReader, name);
 }
+
+void Bus::refuse(const ParticipantId& sender, const idl::Topic& topic, std::uint32_t robot) {
+  impl_->strangers.refuse(sender, impl_->listener.identity_of(sender), idl::name_for(topic, robot),
+                          Refusal::kRoleIsHeld);
+}
+
+void Bus::forgive(const ParticipantId& holder) { impl_->strangers.forgive(holder); }
+
+std::vector<Stranger> Bus::strangers() const { return impl_->strangers.all(); }
 
 void Bus::close() {
   if (impl_->participant == nullptr) return;
@@ -219,6 +213,11 @@ void Bus::close() {
   dds::DomainParticipantFactory::get_instance()->delete_participant(impl_->participant);
   impl_->participant = nullptr;
   impl_->place.reset();
+}
+
+std::optional<Refusal>& detail::refusal_of_this_thread() {
+  thread_local std::optional<Refusal> refusal;
+  return refusal;
 }
 
 bool detail::write_sample(dds::DataWriter* writer, void* sample) { return is_ok(writer->write(sample)); }

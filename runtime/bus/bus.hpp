@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
-#include <compare>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "idl/topics.hpp"
+#include "runtime/bus/checked_type.hpp"
 #include "runtime/bus/identity.hpp"
+#include "runtime/bus/participant.hpp"
+#include "runtime/bus/strangers.hpp"
 #include "runtime/bus/transport.hpp"
 
 namespace eprosima::fastdds::dds {
@@ -23,14 +25,8 @@ struct TransportDescriptorInterface;
 
 namespace caravan::runtime {
 
-/// A participant on the bus: its GUID prefix.
-struct ParticipantId {
-  std::array<std::uint8_t, 12> prefix{};
-  auto operator<=>(const ParticipantId&) const = default;
-};
-
 struct BusConfig {
-  std::string role;
+  std::string role;  ///< stated in discovery; its first word decides which topics others read of this process
   std::uint32_t domain = 0;
   double lease_s = 5.0;  ///< a participant silent for so long is gone
   Transport transport = Transport::kSharedMemory;
@@ -38,10 +34,10 @@ struct BusConfig {
   std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> around_udp = {};
 };
 
-/// Somebody came, left, or began to write or read a topic. Delivered on a discovery thread: post it to the
-/// thread that owns the state.
+/// Somebody came, left, or began to write or read a topic, or writes it no longer. Delivered on a discovery
+/// thread: post it to the thread that owns the state.
 struct Discovery {
-  enum class Kind : std::uint8_t { kJoined, kGone, kWriterFound, kReaderFound };
+  enum class Kind : std::uint8_t { kJoined, kGone, kWriterFound, kReaderFound, kWriterGone };
   Kind kind = Kind::kJoined;
   ParticipantId participant;
   Identity identity;  ///< of the participant, where known
@@ -72,16 +68,25 @@ class Bus {
   template <typename PubSubType>
   [[nodiscard]] Writer<PubSubType> writer(const idl::Topic& topic, std::uint32_t robot = 0);
 
-  /// Calls `handle(sample, sender)` for each sample as it arrives.
+  /// Calls `handle(sample, sender)` for each sample as it arrives, when its bytes are of the type and its
+  /// writer may claim the topic (Sender::claim is not kNone). All others are refused: counted, and told once.
   template <typename PubSubType, typename Handler>
   void reader(const idl::Topic& topic, std::uint32_t robot, Handler handle);
+
+  /// A sample does not count because another participant holds the role. To be called by whoever keeps the
+  /// Tenure.
+  void refuse(const ParticipantId& sender, const idl::Topic& topic, std::uint32_t robot = 0);
+  /// `holder`, whose samples were refused until now, holds the role.
+  void forgive(const ParticipantId& holder);
+  /// Whose samples were refused.
+  [[nodiscard]] std::vector<Stranger> strangers() const;
 
   void close();
 
  private:
   struct Impl;
   class Inbox;  // a reader's listener
-  using Take = std::function<void(void* sample, const ParticipantId& sender)>;
+  using Take = std::function<void(void* sample, const Sender& sender)>;
 
   eprosima::fastdds::dds::DataWriter* make_writer(const idl::Topic& topic, std::uint32_t robot,
                                                   eprosima::fastdds::dds::TopicDataType* type);
@@ -116,14 +121,14 @@ bool Writer<PubSubType>::write(Sample& sample) {
 
 template <typename PubSubType>
 Writer<PubSubType> Bus::writer(const idl::Topic& topic, std::uint32_t robot) {
-  return Writer<PubSubType>{make_writer(topic, robot, new PubSubType{})};
+  return Writer<PubSubType>{make_writer(topic, robot, new CheckedType<PubSubType>{})};
 }
 
 template <typename PubSubType, typename Handler>
 void Bus::reader(const idl::Topic& topic, std::uint32_t robot, Handler handle) {
   using Sample = typename PubSubType::type;
-  make_reader(topic, robot, new PubSubType{}, std::make_shared<Sample>(),
-              [handle = std::move(handle)](void* sample, const ParticipantId& sender) mutable {
+  make_reader(topic, robot, new CheckedType<PubSubType>{}, std::make_shared<Sample>(),
+              [handle = std::move(handle)](void* sample, const Sender& sender) mutable {
                 handle(*static_cast<const Sample*>(sample), sender);
               });
 }

@@ -3,6 +3,7 @@
 /// of 3.1 where it has one. No other file asks which of the two it is built with.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -10,6 +11,10 @@
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/bus/compatibility.hpp"
 
 #if __has_include(<fastdds/config.hpp>)  // 3.1
 
@@ -24,7 +29,6 @@
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.hpp>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.hpp>
 #include <fastdds/utils/IPLocator.hpp>
-#include <vector>
 
 namespace caravan::runtime {
 namespace dds = eprosima::fastdds::dds;
@@ -105,34 +109,73 @@ inline std::shared_ptr<rtps::TransportDescriptorInterface> with_whole_messages(
       dynamic_cast<const rtps::SharedMemTransportDescriptor&>(*transport));
 }
 
+template <typename Pairs, typename Properties>
+Pairs to_pairs(const Properties& properties) {
+  Pairs pairs;
+  for (const auto& one : properties) pairs.emplace_back(one.first(), one.second());
+  return pairs;
+}
+
+template <typename Partitions>
+bool is_in_partition(const Partitions& partitions) {
+  const auto names = partitions.getNames();
+  const auto is_default = [](const std::string& name) { return name.empty() || name == "*"; };
+  return !names.empty() && std::none_of(names.begin(), names.end(), is_default);
+}
+
+template <typename Representation>
+bool has_xcdr1(const Representation& representation) {
+  const auto& all = representation.m_value;
+  return all.empty() || std::find(all.begin(), all.end(), dds::XCDR_DATA_REPRESENTATION) != all.end();
+}
+
+/// Of a writer or a reader.
+template <typename Data>
+EndpointQos endpoint_qos(const Data& data) {
+  EndpointQos qos;
+  qos.type = data.type_name.to_string();
+  qos.reliable = data.reliability.kind == dds::RELIABLE_RELIABILITY_QOS;
+  qos.durability = static_cast<EndpointQos::Durability>(data.durability.kind);
+  qos.xcdr1 = has_xcdr1(data.representation);
+  qos.exclusive = data.ownership.kind == dds::EXCLUSIVE_OWNERSHIP_QOS;
+  qos.in_partition = is_in_partition(data.partition);
+  return qos;
+}
+
 /// What DDS finds of other participants; called on its threads.
 class DiscoveryEvents : public dds::DomainParticipantListener {
  protected:
-  virtual void participant_found(const rtps::GUID_t& guid, const std::string& name) = 0;
+  using Properties = std::vector<std::pair<std::string, std::string>>;
+  virtual void participant_found(const rtps::GUID_t& guid, const std::string& name,
+                                 const Properties& properties) = 0;
   virtual void participant_gone(const rtps::GUID_t& guid) = 0;
-  virtual void writer_found(dds::DomainParticipant* own, const rtps::GUID_t& guid,
-                            const std::string& topic) = 0;
-  virtual void reader_found(dds::DomainParticipant* own, const rtps::GUID_t& guid,
-                            const std::string& topic) = 0;
+  virtual void writer_found(dds::DomainParticipant* own, const rtps::GUID_t& guid, const std::string& topic,
+                            const EndpointQos& qos) = 0;
+  virtual void writer_gone(dds::DomainParticipant* own, const rtps::GUID_t& guid,
+                           const std::string& topic) = 0;
+  virtual void reader_found(dds::DomainParticipant* own, const rtps::GUID_t& guid, const std::string& topic,
+                            const EndpointQos& qos) = 0;
 
  private:
   void on_participant_discovery(dds::DomainParticipant* /*own*/, rtps::ParticipantDiscoveryStatus status,
                                 const rtps::ParticipantBuiltinTopicData& info, bool& /*ignored*/) final {
     using Status = rtps::ParticipantDiscoveryStatus;
     if (status == Status::DISCOVERED_PARTICIPANT)
-      participant_found(info.guid, info.participant_name.to_string());
+      participant_found(info.guid, info.participant_name.to_string(), to_pairs<Properties>(info.properties));
     if (status == Status::REMOVED_PARTICIPANT || status == Status::DROPPED_PARTICIPANT)
       participant_gone(info.guid);
   }
   void on_data_writer_discovery(dds::DomainParticipant* own, rtps::WriterDiscoveryStatus status,
                                 const rtps::PublicationBuiltinTopicData& info, bool& /*ignored*/) final {
     if (status == rtps::WriterDiscoveryStatus::DISCOVERED_WRITER)
-      writer_found(own, info.guid, info.topic_name.to_string());
+      writer_found(own, info.guid, info.topic_name.to_string(), endpoint_qos(info));
+    if (status == rtps::WriterDiscoveryStatus::REMOVED_WRITER)
+      writer_gone(own, info.guid, info.topic_name.to_string());
   }
   void on_data_reader_discovery(dds::DomainParticipant* own, rtps::ReaderDiscoveryStatus status,
                                 const rtps::SubscriptionBuiltinTopicData& info, bool& /*ignored*/) final {
     if (status == rtps::ReaderDiscoveryStatus::DISCOVERED_READER)
-      reader_found(own, info.guid, info.topic_name.to_string());
+      reader_found(own, info.guid, info.topic_name.to_string(), endpoint_qos(info));
   }
 };
 
@@ -198,32 +241,72 @@ inline std::shared_ptr<rtps::TransportDescriptorInterface> with_whole_messages(
   return transport;
 }
 
+template <typename Pairs, typename Properties>
+Pairs to_pairs(const Properties& properties) {
+  Pairs pairs;
+  for (const auto& one : properties) pairs.emplace_back(one.first(), one.second());
+  return pairs;
+}
+
+template <typename Partitions>
+bool is_in_partition(const Partitions& partitions) {
+  const auto names = partitions.getNames();
+  const auto is_default = [](const std::string& name) { return name.empty() || name == "*"; };
+  return !names.empty() && std::none_of(names.begin(), names.end(), is_default);
+}
+
+template <typename Representation>
+bool has_xcdr1(const Representation& representation) {
+  const auto& all = representation.m_value;
+  return all.empty() || std::find(all.begin(), all.end(), dds::XCDR_DATA_REPRESENTATION) != all.end();
+}
+
+/// Of a writer or a reader.
+template <typename Data>
+EndpointQos endpoint_qos(const Data& data) {
+  EndpointQos qos;
+  qos.type = data.typeName().to_string();
+  qos.reliable = data.m_qos.m_reliability.kind == dds::RELIABLE_RELIABILITY_QOS;
+  qos.durability = static_cast<EndpointQos::Durability>(data.m_qos.m_durability.kind);
+  qos.xcdr1 = has_xcdr1(data.m_qos.representation);
+  qos.exclusive = data.m_qos.m_ownership.kind == dds::EXCLUSIVE_OWNERSHIP_QOS;
+  qos.in_partition = is_in_partition(data.m_qos.m_partition);
+  return qos;
+}
+
 /// What DDS finds of other participants; called on its threads.
 class DiscoveryEvents : public dds::DomainParticipantListener {
  protected:
-  virtual void participant_found(const rtps::GUID_t& guid, const std::string& name) = 0;
+  using Properties = std::vector<std::pair<std::string, std::string>>;
+  virtual void participant_found(const rtps::GUID_t& guid, const std::string& name,
+                                 const Properties& properties) = 0;
   virtual void participant_gone(const rtps::GUID_t& guid) = 0;
-  virtual void writer_found(dds::DomainParticipant* own, const rtps::GUID_t& guid,
-                            const std::string& topic) = 0;
-  virtual void reader_found(dds::DomainParticipant* own, const rtps::GUID_t& guid,
-                            const std::string& topic) = 0;
+  virtual void writer_found(dds::DomainParticipant* own, const rtps::GUID_t& guid, const std::string& topic,
+                            const EndpointQos& qos) = 0;
+  virtual void writer_gone(dds::DomainParticipant* own, const rtps::GUID_t& guid,
+                           const std::string& topic) = 0;
+  virtual void reader_found(dds::DomainParticipant* own, const rtps::GUID_t& guid, const std::string& topic,
+                            const EndpointQos& qos) = 0;
 
  private:
   void on_participant_discovery(dds::DomainParticipant* /*own*/,
                                 rtps::ParticipantDiscoveryInfo&& found) final {
     using Info = rtps::ParticipantDiscoveryInfo;
     if (found.status == Info::DISCOVERED_PARTICIPANT)
-      participant_found(found.info.m_guid, found.info.m_participantName.to_string());
+      participant_found(found.info.m_guid, found.info.m_participantName.to_string(),
+                        to_pairs<Properties>(found.info.m_properties));
     if (found.status == Info::REMOVED_PARTICIPANT || found.status == Info::DROPPED_PARTICIPANT)
       participant_gone(found.info.m_guid);
   }
   void on_publisher_discovery(dds::DomainParticipant* own, rtps::WriterDiscoveryInfo&& found) final {
+    const std::string topic = found.info.topicName().to_string();
     if (found.status == rtps::WriterDiscoveryInfo::DISCOVERED_WRITER)
-      writer_found(own, found.info.guid(), found.info.topicName().to_string());
+      writer_found(own, found.info.guid(), topic, endpoint_qos(found.info));
+    if (found.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER) writer_gone(own, found.info.guid(), topic);
   }
   void on_subscriber_discovery(dds::DomainParticipant* own, rtps::ReaderDiscoveryInfo&& found) final {
     if (found.status == rtps::ReaderDiscoveryInfo::DISCOVERED_READER)
-      reader_found(own, found.info.guid(), found.info.topicName().to_string());
+      reader_found(own, found.info.guid(), found.info.topicName().to_string(), endpoint_qos(found.info));
   }
 };
 

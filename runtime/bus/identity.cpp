@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
@@ -43,11 +44,19 @@ Identity to_identity(const std::string& name) {
   Identity identity;
   if (parts.size() == 5 && parts[0] == kMark && parse(parts[3], identity.pid) &&
       parse(parts[4], identity.started_ms)) {
-    identity.role = parts[1];
-    identity.host = parts[2];
+    identity.role = printable(parts[1]);
+    identity.host = printable(parts[2]);
     return identity;
   }
-  return {name, "", 0, 0};
+  return {printable(name), "", 0, 0};
+}
+
+std::string printable(const std::string& text) {
+  constexpr std::size_t kLongest = 80;
+  std::string fit = text.substr(0, kLongest);
+  std::replace_if(
+      fit.begin(), fit.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return fit;
 }
 
 }  // namespace caravan::runtime

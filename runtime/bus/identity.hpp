@@ -21,5 +21,8 @@ struct Identity {
 /// A stranger's name, one that to_name() did not make, becomes the role of an identity that is otherwise
 /// empty.
 [[nodiscard]] Identity to_identity(const std::string& name);
+/// What others say of themselves, fit for a log: what is not printable ASCII becomes ?, and it
+/// is cut off after 80.
+[[nodiscard]] std::string printable(const std::string& text);
 
 }  // namespace caravan::runtime

@@ -20,7 +20,7 @@ ALLOWED = {
     "runtime/scenario": [STD, "runtime/config", "runtime/pure"],
     "runtime/trace": [STD, "runtime/config"],
     "runtime/process": [STD, POSIX, LOG, CLI, "runtime/config", "runtime/bus/transport.hpp"],
-    "runtime/bus": [STD, POSIX, DDS, ROBOT_TYPES, "idl", "runtime/config", "runtime/pure"],
+    "runtime/bus": [STD, POSIX, LOG, DDS, ROBOT_TYPES, "idl", "runtime/config", "runtime/pure"],
     "runtime/control": [STD, LOG, TRUTH_TYPES, "runtime/pure"],
     "idl": [STD, ROBOT_TYPES, TRUTH_TYPES, GENERATED],
     "robot_agent/core": [STD, EIGEN, "runtime/pure"],

@@ -59,10 +59,11 @@ class ObserverOfOne : public ::testing::Test {
   const deploy::DomainLock lock_{std::nullopt};
   runtime::Loop loop_;
   deploy::Observer observer_{{.role = "observer", .domain = lock_.domain()}, "observer", 1, loop_};
-  runtime::Bus bus_{{.role = "test", .domain = lock_.domain()}};
-  runtime::Writer<msg::WorldTruthPubSubType> truths_ = bus_.writer<msg::WorldTruthPubSubType>(idl::kTruth);
+  runtime::Bus world_{{.role = "world_server", .domain = lock_.domain()}};
+  runtime::Bus agent_{{.role = "robot_agent 1", .domain = lock_.domain()}};
+  runtime::Writer<msg::WorldTruthPubSubType> truths_ = world_.writer<msg::WorldTruthPubSubType>(idl::kTruth);
   runtime::Writer<msg::TelemetryPubSubType> telemetry_ =
-      bus_.writer<msg::TelemetryPubSubType>(idl::kTelemetry, 1);
+      agent_.writer<msg::TelemetryPubSubType>(idl::kTelemetry, 1);
   std::vector<deploy::Observation> seen_;
 };
 

@@ -22,9 +22,9 @@ class RadioProcess : public ::testing::Test {
       : radio_{{"radio_emulator", "--scenario", scenario("small.toml"), "--domain",
                 std::to_string(lock_.domain())},
                folder_ / "radio.log"} {
-    truths_ = bus_.writer<msg::WorldTruthPubSubType>(idl::kTruth);
+    truths_ = world_.writer<msg::WorldTruthPubSubType>(idl::kTruth);
     for (const std::uint32_t robot : {1U, 2U}) {
-      transmits_[robot] = bus_.writer<msg::RadioTransmitPubSubType>(idl::kRadioTransmit, robot);
+      transmits_[robot] = agents_.writer<msg::RadioTransmitPubSubType>(idl::kRadioTransmit, robot);
     }
   }
 
@@ -51,7 +51,8 @@ class RadioProcess : public ::testing::Test {
   ScratchFolder folder_;
   Process radio_;
   const runtime::BusConfig bus_config_{.role = "test", .domain = lock_.domain()};
-  runtime::Bus bus_{bus_config_};
+  runtime::Bus world_{{.role = "world_server", .domain = lock_.domain()}};
+  runtime::Bus agents_{bus_config_};
   Collector<msg::RadioStepPubSubType> steps_{bus_config_, idl::kRadioStep};
   Collector<msg::RadioReceivePubSubType> received_{bus_config_, idl::kRadioReceive, 2};
 

@@ -92,7 +92,7 @@ class SlowRobot {
 /// A radio, on a participant of its own, that hears nothing.
 class PlayedRadio {
  public:
-  explicit PlayedRadio(const runtime::BusConfig& bus) : bus_{bus} {
+  explicit PlayedRadio(runtime::BusConfig bus) : bus_{(bus.role = "radio_emulator", bus)} {
     steps_ = bus_.writer<msg::RadioStepPubSubType>(idl::kRadioStep);
     bus_.reader<msg::WorldTruthPubSubType>(idl::kTruth, 0, [this](const msg::WorldTruth& truth, const auto&) {
       msg::RadioStep step;
@@ -210,14 +210,19 @@ TEST_F(WorldProcess, NamesARobotThatLivesButDoesNotAnswer) {
   EXPECT_THAT(world_.output(), HasSubstr("robot 4"));
 }
 
-TEST_F(WorldProcess, NamesAnObserverThatLivesButHandlesNothing) {
-  runtime::Bus stuck{config_};
+TEST_F(WorldProcess, NamesAnObserverThatLivesButHandlesNothingAndGoesOnWithoutIt) {
+  runtime::BusConfig of_stuck = config_;
+  of_stuck.role = "observer";
+  runtime::Bus stuck{of_stuck};
   auto credits = stuck.writer<msg::RunCreditPubSubType>(idl::kRunCredit);
   msg::RunCredit credit;
   credit.observer("stuck");
   credits.write(credit);
   const PlayedFleet fleet{config_, {1, 2, 3, 4}, [](auto) { return std::pair{0.0, 0.0}; }};
   EXPECT_TRUE(world_.prints("observer stuck lives but handles no more steps", kPatience)) << world_.output();
+  EXPECT_TRUE(world_.prints("observer stuck is not waited for any longer", kPatience)) << world_.output();
+  EXPECT_TRUE(statuses_.first([](const msg::WorldStatus& one) { return one.steps() > 300; }))
+      << world_.output();
 }
 
 TEST_F(WorldProcess, StopsWithinASecondOnSigterm) {

@@ -9,28 +9,34 @@
 namespace caravan::world {
 namespace msg = caravan_interfaces::msg;
 using runtime::Pacing;
-using runtime::ParticipantId;
+using runtime::Sender;
+using runtime::Tenure;
 
 bool WorldShell::is_current(std::uint64_t session, Time stamp) const {
   if (session != session_ || phase_ == Phase::kFinished) return false;
   return config_.experiment.pacing == Pacing::kFree ? stamp_ - stamp <= kDeadman : stamp == stamp_;
 }
 
-bool WorldShell::owns(std::optional<ParticipantId>& owner, const ParticipantId& sender) {
-  if (!owner) owner = sender;
-  return *owner == sender;
+const idl::Topic& WorldShell::command_topic(std::uint32_t robot) const {
+  return config_.is_body(robot) ? idl::kBodyCommand : idl::kCommand;
 }
 
-void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample,
-                            const ParticipantId& sender) {
+void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample, const Sender& sender) {
   const std::lock_guard lock{mutex_};
-  if (sample.session() == session_ && owns(robot_owners_[robot - 1], sender)) {
+  // Of another session: a claim to nothing. A robot begins anew with each.
+  if (sample.session() != session_) {
+    ++tallies_.stale_samples;
+    return;
+  }
+  Tenure& driver = drivers_[robot - 1];
+  if (driver.claim(sender) != Tenure::Standing::kRefused) {
     take_command(robot, sample);
     progress();
     return;
   }
   ++tallies_.stale_samples;
-  if (sample.session() == session_) robot_successors_[robot - 1] = {sender, sample};
+  bus_.refuse(sender, command_topic(robot), robot);
+  driver.keep(sender, [this, robot, sample] { take_command(robot, sample); });
 }
 
 void WorldShell::take_command(std::uint32_t robot, const msg::RobotCommand& sample) {
@@ -59,15 +65,20 @@ void WorldShell::take_command(std::uint32_t robot, const msg::RobotCommand& samp
   if (answer == Answer::kRevives) publish_truth(false);
 }
 
-void WorldShell::on_radio_step(const msg::RadioStep& sample, const ParticipantId& sender) {
+void WorldShell::on_radio_step(const msg::RadioStep& sample, const Sender& sender) {
   const std::lock_guard lock{mutex_};
-  if (sample.session() == session_ && owns(radio_owner_, sender)) {
+  if (sample.session() != session_) {
+    ++tallies_.stale_samples;
+    return;
+  }
+  if (radio_.claim(sender) != Tenure::Standing::kRefused) {
     take_radio_step(sample);
     progress();
     return;
   }
   ++tallies_.stale_samples;
-  if (sample.session() == session_) radio_successor_ = {sender, sample};
+  bus_.refuse(sender, idl::kRadioStep);
+  radio_.keep(sender, [this, sample] { take_radio_step(sample); });
 }
 
 void WorldShell::take_radio_step(const msg::RadioStep& sample) {
@@ -84,10 +95,11 @@ void WorldShell::take_radio_step(const msg::RadioStep& sample) {
   barrier_.answer_radio();
 }
 
-void WorldShell::on_credit(const msg::RunCredit& sample, const ParticipantId& sender) {
+void WorldShell::on_credit(const msg::RunCredit& sample, const Sender& sender) {
   const std::lock_guard lock{mutex_};
   const bool ours = sample.session() == session_;
-  credits_.give(sample.observer(), sender, ours ? idl::to_time(sample.stamp()) : Time{0});
+  if (!credits_.give(sample.observer(), sender, ours ? idl::to_time(sample.stamp()) : Time{0}))
+    bus_.refuse(sender, idl::kRunCredit);
   progress();
 }
 

@@ -82,12 +82,12 @@ void WorldShell::reach_boundary() {
 std::string WorldShell::spawn(const Spawn& spawn) {
   std::string refusal = world_.spawn(spawn.robot, spawn.at);
   if (!refusal.empty()) return refusal;
-  auto& owner = robot_owners_[spawn.robot - 1];
+  runtime::Tenure& driver = drivers_[spawn.robot - 1];
   const auto& agents = agents_[spawn.robot - 1];
   // It is awaited in the step that begins now if its agent is known to live. So what an order for a step
   // leads to does not hang on how fast anybody is.
-  if (!owner && !agents.empty()) owner = agents.front();
-  barrier_.spawn(spawn.robot, owner.has_value());
+  if (!driver.holder() && !agents.empty()) (void)driver.claim(agents.front());
+  barrier_.spawn(spawn.robot, driver.holder().has_value());
   status_due_ = {};
   loop_.notify();
   return "";

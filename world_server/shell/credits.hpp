@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/bus/bus.hpp"
+#include "runtime/bus/tenure.hpp"
 #include "world_server/types.hpp"
 
 namespace caravan::world {
@@ -18,35 +18,53 @@ class Credits {
   /// @param awaited observers without which the run does not start
   explicit Credits(const std::vector<std::string>& awaited) : awaited_{awaited.begin(), awaited.end()} {}
 
-  void give(const std::string& observer, const runtime::ParticipantId& from, Time handled) {
-    handled_[observer] = {from, handled};
+  /// @return false: refused, because another participant has that name, or too many observers are not awaited
+  bool give(const std::string& observer, const runtime::Sender& from, Time handled) {
+    if (!entries_.contains(observer) && !is_awaited(observer) && entries_.size() >= kMost) return false;
+    Entry& entry = entries_[observer];
+    if (entry.who.claim(from) != runtime::Tenure::Standing::kRefused) {
+      entry.handled = handled;
+      return true;
+    }
+    entry.who.keep(from, [&entry, handled] { entry.handled = handled; });
+    return false;
   }
   void lose(const runtime::ParticipantId& participant) {
-    std::erase_if(handled_, [&](const auto& entry) { return entry.second.from == participant; });
+    for (auto& [name, entry] : entries_) {
+      if (!entry.who.release(participant)) continue;
+      entry.handled.reset();
+      for (const auto& take : entry.who.hand_over()) take();
+    }
+    std::erase_if(entries_, [](const auto& one) { return !one.second.who.holder(); });
   }
+  /// It holds nobody back until it gives credit again.
+  void let_go(const std::string& observer) { entries_.erase(observer); }
+
+  [[nodiscard]] bool is_awaited(const std::string& observer) const { return awaited_.contains(observer); }
   /// Names among the awaited that have not spoken.
   [[nodiscard]] std::vector<std::string> missing() const {
     std::vector<std::string> names;
     for (const std::string& name : awaited_) {
-      if (!handled_.contains(name)) names.push_back(name);
+      if (!entries_.contains(name)) names.push_back(name);
     }
     return names;
   }
   /// The observer that keeps the world from a step at `now`, if one does.
   [[nodiscard]] std::optional<std::string> holding_back(Time now, Time furthest_ahead) const {
-    for (const auto& [name, entry] : handled_) {
-      if (now - entry.handled > furthest_ahead) return name;
+    for (const auto& [name, entry] : entries_) {
+      if (entry.handled && now - *entry.handled > furthest_ahead) return name;
     }
     return std::nullopt;
   }
 
  private:
+  static constexpr std::size_t kMost = 64;
   struct Entry {
-    runtime::ParticipantId from;
-    Time handled{0};
+    runtime::Tenure who;
+    std::optional<Time> handled;
   };
   std::set<std::string> awaited_;
-  std::map<std::string, Entry> handled_;
+  std::map<std::string, Entry> entries_;  // each with a holder
 };
 
 }  // namespace caravan::world

@@ -14,7 +14,8 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto kStatusPeriod = 500ms;
-constexpr auto kHeldLong = 2s;  // by an observer
+constexpr auto kHeldLong = 2s;      // by an observer
+constexpr auto kHeldTooLong = 10s;  // by one that is not awaited
 
 std::vector<std::string> in_words(const std::vector<std::uint32_t>& ids) {
   std::vector<std::string> names;
@@ -44,6 +45,10 @@ void WorldShell::name_the_late(Wall now) {
                  *held_by_);
   }
   named_hold_ = held;
+  if (held && !credits_.is_awaited(*held_by_) && now - held_since_ >= kHeldTooLong) {
+    spdlog::warn("observer {} is not waited for any longer: it may miss steps", *held_by_);
+    credits_.let_go(*held_by_);
+  }
 }
 
 void WorldShell::publish_status(Wall now) {
@@ -72,6 +77,7 @@ void WorldShell::publish_status(Wall now) {
   status.refused_commands(sum(tallies_.refused_commands));
   status.clamped_commands(sum(tallies_.clamped_commands));
   status.stale_samples(tallies_.stale_samples);
+  for (const runtime::Stranger& one : bus_.strangers()) status.strangers().push_back(to_text(one));
   status.empty_closings(world_.empty_closings());
   const Wall until = phase_ == Phase::kFinished ? tallies_.ended : now;
   status.wall_s(phase_ == Phase::kWaiting ? 0.0 : seconds(until - tallies_.started));

@@ -11,59 +11,65 @@
 #include "world_server/shell/world_shell.hpp"
 
 namespace caravan::world {
+using runtime::Claim;
 using runtime::Discovery;
 using runtime::Pacing;
+using runtime::ParticipantId;
+using runtime::Tenure;
 using namespace std::chrono_literals;
 
 void WorldShell::read_mailbox() {
   for (const Discovery& one : mailbox_.take()) {
-    if (one.kind == Discovery::Kind::kGone) forget(one);
-    if (one.kind == Discovery::Kind::kWriterFound) meet(one);
+    if (one.kind == Discovery::Kind::kWriterFound) {
+      meet(one);
+    } else {
+      forget(one);
+    }
   }
 }
 
 void WorldShell::meet(const Discovery& writer) {
   for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
-    if (writer.topic == idl::name_for(idl::kCommand, robot)) agents_[robot - 1].push_back(writer.participant);
+    if (writer.topic != idl::name_for(idl::kCommand, robot)) continue;
+    const Claim claim = claim_of(idl::kCommand, writer.identity);
+    if (claim != Claim::kNone) agents_[robot - 1].push_back({writer.participant, claim});
   }
 }
 
 void WorldShell::forget(const Discovery& gone) {
-  credits_.lose(gone.participant);
-  for (auto& agents : agents_) std::erase(agents, gone.participant);
+  const auto concerns = [&gone](const idl::Topic& topic, std::uint32_t robot = 0) {
+    return gone.kind == Discovery::Kind::kGone || gone.topic == idl::name_for(topic, robot);
+  };
+  if (concerns(idl::kRunCredit)) credits_.lose(gone.participant);
   bool members_changed = false;
-  for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot)
-    members_changed = forget_agent(robot, gone) || members_changed;
-  forget_radio(gone);
+  for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
+    if (concerns(command_topic(robot), robot)) members_changed = forget_agent(robot, gone) || members_changed;
+  }
+  if (concerns(idl::kRadioStep)) forget_radio(gone);
   if (members_changed && (phase_ == Phase::kOpen || phase_ == Phase::kAdvanced)) publish_truth(false);
 }
 
 bool WorldShell::forget_agent(std::uint32_t robot, const Discovery& gone) {
-  auto& successor = robot_successors_[robot - 1];
-  if (successor && successor->who == gone.participant) successor.reset();
-  if (robot_owners_[robot - 1] != gone.participant) return false;
-  spdlog::warn("robot lost robot={} pid={} host={}", robot, gone.identity.pid, gone.identity.host);
-  robot_owners_[robot - 1].reset();
+  std::erase_if(agents_[robot - 1], [&](const ParticipantId& one) { return one == gone.participant; });
+  if (!drivers_[robot - 1].release(gone.participant)) return false;
+  spdlog::warn("robot lost robot={}: {}", robot, to_text(gone.participant, gone.identity));
   const bool members_changed = barrier_.lose(robot, std::chrono::steady_clock::now());
   commands_[robot - 1].reset();
-  if (const auto next = std::exchange(successor, std::nullopt)) {
-    robot_owners_[robot - 1] = next->who;
-    take_command(robot, next->sample);
-  }
+  hand_over(drivers_[robot - 1]);
   return members_changed;
 }
 
+void WorldShell::hand_over(Tenure& tenure) {
+  for (const Tenure::Later& take : tenure.hand_over()) take();
+  if (const auto holder = tenure.holder()) bus_.forgive(*holder);
+}
+
 void WorldShell::forget_radio(const Discovery& gone) {
-  if (radio_successor_ && radio_successor_->who == gone.participant) radio_successor_.reset();
-  if (radio_owner_ != gone.participant) return;
-  spdlog::warn("radio lost pid={} host={}: the robots drive on alone", gone.identity.pid, gone.identity.host);
-  radio_owner_.reset();
+  if (!radio_.release(gone.participant)) return;
+  spdlog::warn("radio lost: {}; the robots drive on alone", to_text(gone.participant, gone.identity));
   barrier_.lose_radio();
   radio_due_.assign(radio_due_.size(), false);
-  if (const auto next = std::exchange(radio_successor_, std::nullopt)) {
-    radio_owner_ = next->who;
-    take_radio_step(next->sample);
-  }
+  hand_over(radio_);
 }
 
 void WorldShell::progress() {

@@ -9,7 +9,7 @@
 namespace caravan::world {
 namespace msg = caravan_interfaces::msg;
 using runtime::Discovery;
-using runtime::ParticipantId;
+using runtime::Sender;
 
 namespace {
 
@@ -52,14 +52,13 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
       tallies_{config.robots.count},
       commands_(config.robots.count),
       commanded_at_(config.robots.count),
-      robot_owners_(config.robots.count),
-      robot_successors_(config.robots.count),
+      drivers_(config.robots.count),
       agents_(config.robots.count),
       radio_due_(config.robots.count, false),
       radio_chain_{pure::HashChain{}.value()},
       bus_{bus, [this](const Discovery& news) {
-             if (news.kind != Discovery::Kind::kGone && news.kind != Discovery::Kind::kWriterFound) return;
-             mailbox_.post(news);
+             if (news.kind != Discovery::Kind::kJoined && news.kind != Discovery::Kind::kReaderFound)
+               mailbox_.post(news);
            }} {
   for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
     const idl::Topic& topic = config_.is_body(robot) ? idl::kBodySensors : idl::kSensors;
@@ -74,20 +73,19 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
   // callback.
   for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
     bus_.reader<msg::RobotCommandPubSubType>(
-        config_.is_body(robot) ? idl::kBodyCommand : idl::kCommand, robot,
-        [this, robot](const msg::RobotCommand& sample, const ParticipantId& sender) {
+        command_topic(robot), robot, [this, robot](const msg::RobotCommand& sample, const Sender& sender) {
           on_command(robot, sample, sender);
         });
   }
   bus_.reader<msg::RadioStepPubSubType>(
       idl::kRadioStep, 0,
-      [this](const msg::RadioStep& sample, const ParticipantId& sender) { on_radio_step(sample, sender); });
+      [this](const msg::RadioStep& sample, const Sender& sender) { on_radio_step(sample, sender); });
   bus_.reader<msg::RunCreditPubSubType>(
       idl::kRunCredit, 0,
-      [this](const msg::RunCredit& sample, const ParticipantId& sender) { on_credit(sample, sender); });
+      [this](const msg::RunCredit& sample, const Sender& sender) { on_credit(sample, sender); });
   bus_.reader<msg::ControlRequestPubSubType>(
       idl::kControlRequest, 0,
-      [this](const msg::ControlRequest& request, const ParticipantId& /*sender*/) { on_control(request); });
+      [this](const msg::ControlRequest& request, const Sender& /*sender*/) { on_control(request); });
 }
 
 WorldShell::~WorldShell() { bus_.close(); }

@@ -12,6 +12,7 @@
 #include "idl/robot_types.hpp"
 #include "idl/world_types.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/bus/tenure.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/process/mailbox.hpp"
 #include "runtime/trace/trace_file.hpp"
@@ -51,22 +52,25 @@ class WorldShell {
 
   // What arrives.
   void on_command(std::uint32_t robot, const caravan_interfaces::msg::RobotCommand& sample,
-                  const runtime::ParticipantId& sender);
+                  const runtime::Sender& sender);
   void take_command(std::uint32_t robot, const caravan_interfaces::msg::RobotCommand& sample);
   void take_radio_step(const caravan_interfaces::msg::RadioStep& sample);
-  void on_radio_step(const caravan_interfaces::msg::RadioStep& sample, const runtime::ParticipantId& sender);
-  void on_credit(const caravan_interfaces::msg::RunCredit& sample, const runtime::ParticipantId& sender);
+  void on_radio_step(const caravan_interfaces::msg::RadioStep& sample, const runtime::Sender& sender);
+  void on_credit(const caravan_interfaces::msg::RunCredit& sample, const runtime::Sender& sender);
   void on_control(const caravan_interfaces::msg::ControlRequest& request);
   [[nodiscard]] bool is_current(std::uint64_t session, Time stamp) const;
-  [[nodiscard]] bool owns(std::optional<runtime::ParticipantId>& owner, const runtime::ParticipantId& sender);
+  [[nodiscard]] const idl::Topic& command_topic(std::uint32_t robot) const;
 
   // The step. All of these run under the lock.
   void read_mailbox();
   void meet(const runtime::Discovery& writer);
+  /// A participant has gone, or one of its writers: leaving is either.
   void forget(const runtime::Discovery& gone);
   /// @return true when a member left the step
   bool forget_agent(std::uint32_t robot, const runtime::Discovery& gone);
   void forget_radio(const runtime::Discovery& gone);
+  /// The next participant that has claimed the role holds it.
+  void hand_over(runtime::Tenure& tenure);
   void progress();
   void reach_boundary();
   [[nodiscard]] std::string spawn(const Spawn& spawn);
@@ -110,18 +114,9 @@ class WorldShell {
   std::vector<std::optional<Command>> commands_;
   std::vector<Time> commanded_at_;
   std::vector<std::uint32_t> reporting_;  // robots that have reported in the open step
-  std::vector<std::optional<runtime::ParticipantId>> robot_owners_;
-  std::optional<runtime::ParticipantId> radio_owner_;
-  /// The newest sample of a participant that does not count as long as the one before it is not gone. Whoever
-  /// sent it may be waiting for what follows from it, and would not say it again.
-  template <typename Sample>
-  struct Successor {
-    runtime::ParticipantId who;
-    Sample sample;
-  };
-  std::vector<std::optional<Successor<caravan_interfaces::msg::RobotCommand>>> robot_successors_;
-  std::optional<Successor<caravan_interfaces::msg::RadioStep>> radio_successor_;
-  std::vector<std::vector<runtime::ParticipantId>> agents_;  // that live, by robot: the first one found first
+  std::vector<runtime::Tenure> drivers_;  // who commands each robot
+  runtime::Tenure radio_;
+  std::vector<std::vector<runtime::Sender>> agents_;  // that live, by robot: the first one found first
   std::vector<bool> radio_due_;
   std::uint64_t radio_chain_;
   bool radio_controlled_ = false;

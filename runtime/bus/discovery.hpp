@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "runtime/bus/bus.hpp"
+#include "runtime/bus/compatibility.hpp"
+#include "runtime/bus/fastdds_version.hpp"
+
+namespace caravan::runtime {
+
+/// Turns Fast DDS's discovery callbacks into Discovery values, and knows who is there.
+///
+/// A writer or reader of one of the topics of idl/topics.hpp that does not match ours is not reported. When
+/// this process reads or writes that topic it is logged, with what it lacks.
+class DiscoveryListener final : public DiscoveryEvents {
+ public:
+  explicit DiscoveryListener(Bus::DiscoveryCallback discovered) : discovered_{std::move(discovered)} {}
+
+  enum class End : std::uint8_t { kWriter, kReader };
+  /// This process has such an end of a topic.
+  void has(End end, const std::string& topic);
+
+  /// Empty for a participant that is not known, or no longer.
+  [[nodiscard]] Identity identity_of(const ParticipantId& id) const;
+  /// No callback is running or will run after this.
+  void mute();
+
+ private:
+  void participant_found(const rtps::GUID_t& guid, const std::string& name,
+                         const Properties& properties) override;
+  void participant_gone(const rtps::GUID_t& guid) override;
+  void writer_found(dds::DomainParticipant* own, const rtps::GUID_t& guid, const std::string& topic,
+                    const EndpointQos& qos) override;
+  void writer_gone(dds::DomainParticipant* own, const rtps::GUID_t& guid, const std::string& topic) override;
+  void reader_found(dds::DomainParticipant* own, const rtps::GUID_t& guid, const std::string& topic,
+                    const EndpointQos& qos) override;
+
+  /// A writer or reader of another participant.
+  struct Endpoint {
+    End end;
+    ParticipantId participant;
+    std::string topic;
+    EndpointQos qos;
+  };
+  void found(const Endpoint& endpoint);
+  void gone(Discovery::Kind kind, const ParticipantId& participant, const std::string& topic);
+  void report(const Discovery& discovery) const;
+
+  mutable std::mutex mutex_;
+  Bus::DiscoveryCallback discovered_;
+  std::map<ParticipantId, Identity> known_;
+  std::set<std::pair<End, std::string>> ours_;
+  std::vector<std::pair<std::pair<End, std::string>, std::string>> untold_;  // what lacks what, by our end
+};
+
+}  // namespace caravan::runtime

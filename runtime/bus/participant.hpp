@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <string>
+
+#include "runtime/bus/identity.hpp"
+#include "runtime/bus/role.hpp"
+
+namespace caravan::runtime {
+
+/// A participant on the bus: its GUID prefix.
+struct ParticipantId {
+  std::array<std::uint8_t, 12> prefix{};
+  auto operator<=>(const ParticipantId&) const = default;
+};
+
+/// Who wrote a sample, and what it may claim of the topic that it wrote to.
+struct Sender : ParticipantId {
+  Claim claim = Claim::kNone;
+};
+
+/// The GUID prefix as DDS tools print it: 01.0f.3a. and so on.
+[[nodiscard]] std::string to_text(const ParticipantId& id);
+/// One of our processes by role, process id and host; any other participant by its GUID and by what it says
+/// of itself.
+[[nodiscard]] std::string to_text(const ParticipantId& id, const Identity& identity);
+
+}  // namespace caravan::runtime

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// rogue: a stranger in the domain of a run. Once the run has begun it writes forged and spoiled samples on
+// every topic, so many a second for so long, and says how many at its end. With --role it states a role of
+// ours.
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "idl/clock_types.hpp"
+#include "runtime/bus/bus.hpp"
+#include "tests/rogue/forger.hpp"
+#include "tests/rogue/raw_type.hpp"
+
+namespace caravan::test {
+namespace {
+
+namespace msg = caravan_interfaces::msg;
+using Clock = std::chrono::steady_clock;
+
+volatile std::sig_atomic_t stopped = 0;
+
+struct Plan {
+  std::uint32_t domain = 0;
+  std::uint32_t seed = 1;
+  std::uint32_t robots = 4;
+  double seconds = 5.0;
+  double rate = 200.0;  // samples a second
+  std::string role = "rogue";
+  std::string transport = "shm";
+};
+
+runtime::BusConfig bus_config(const Plan& plan, const std::string& role) {
+  return {.role = role,
+          .domain = plan.domain,
+          .lease_s = 5.0,
+          .transport = runtime::transport_named(plan.transport)};
+}
+
+/// Follows the run's truth.
+class Spy {
+ public:
+  explicit Spy(const Plan& plan) : bus_{bus_config(plan, "rogue")} {
+    bus_.reader<msg::WorldTruthPubSubType>(idl::kTruth, 0, [this](const msg::WorldTruth& truth, const auto&) {
+      const std::lock_guard lock{mutex_};
+      known_ = {truth.session(), idl::to_time(truth.stamp()), idl::to_time(truth.next_stamp())};
+    });
+  }
+  [[nodiscard]] Known known() const {
+    const std::lock_guard lock{mutex_};
+    return known_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  Known known_;
+  runtime::Bus bus_;
+};
+
+/// A writer of every topic.
+class Rogue {
+ public:
+  explicit Rogue(const Plan& plan) : forger_{plan.seed, plan.robots}, bus_{bus_config(plan, plan.role)} {
+    for (std::uint32_t robot = 1; robot <= plan.robots; ++robot) {
+      add<msg::SensorFramePubSubType>(idl::kSensors, robot);
+      add<msg::RobotCommandPubSubType>(idl::kCommand, robot);
+      add<msg::RadioTransmitPubSubType>(idl::kRadioTransmit, robot);
+      add<msg::RadioReceivePubSubType>(idl::kRadioReceive, robot);
+      add<msg::TelemetryPubSubType>(idl::kTelemetry, robot);
+      add<msg::SensorFramePubSubType>(idl::kBodySensors, robot);
+      add<msg::RobotCommandPubSubType>(idl::kBodyCommand, robot);
+    }
+    add<msg::WorldTruthPubSubType>(idl::kTruth, 0);
+    add<msg::RadioStepPubSubType>(idl::kRadioStep, 0);
+    add<rosgraph_msgs::msg::ClockPubSubType>(idl::kClock, 0);
+    add<msg::WorldStatusPubSubType>(idl::kWorldStatus, 0);
+    add<msg::RadioStatusPubSubType>(idl::kRadioStatus, 0);
+    add<msg::RunCreditPubSubType>(idl::kRunCredit, 0);
+    add<msg::ControlRequestPubSubType>(idl::kControlRequest, 0);
+    add<msg::ControlReplyPubSubType>(idl::kControlReply, 0);
+  }
+  /// One sample on one topic.
+  void strike(const Known& known) {
+    forger_.know(known);
+    attacks_[forger_.below(static_cast<std::uint32_t>(attacks_.size()))]();
+  }
+
+ private:
+  template <typename PubSubType>
+  void add(const idl::Topic& topic, std::uint32_t robot) {
+    auto writer = bus_.writer<RawType<PubSubType>>(topic, robot);
+    attacks_.emplace_back([this, writer]() mutable {
+      Bytes bytes;
+      const std::uint32_t way = forger_.below(8);
+      if (way == 0) {
+        bytes = forger_.noise();
+      } else {
+        typename PubSubType::type sample;
+        forger_.forge(sample);
+        bytes = bytes_of<PubSubType>(sample);
+        if (way < 4) forger_.spoil(bytes);
+      }
+      writer.write(bytes);
+    });
+  }
+
+  Forger forger_;
+  runtime::Bus bus_;
+  std::vector<std::function<void()>> attacks_;
+};
+
+int run(const Plan& plan) {
+  std::signal(SIGTERM, [](int) { stopped = 1; });
+  const Spy spy{plan};
+  const auto patience = Clock::now() + std::chrono::seconds{60};
+  while (spy.known().stamp <= std::chrono::nanoseconds{0}) {
+    if (stopped != 0 || Clock::now() > patience)
+      return std::fprintf(stderr, "no run in domain %u\n", plan.domain), 1;
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
+  }
+  Rogue rogue{plan};
+  std::printf("rogue \"%s\" begins, seed %u\n", plan.role.c_str(), plan.seed);
+  std::fflush(stdout);
+  const auto began = Clock::now();
+  const auto period =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>{1.0 / plan.rate});
+  std::uint64_t struck = 0;
+  for (auto due = began; stopped == 0 && due - began < std::chrono::duration<double>{plan.seconds};
+       due += period) {
+    std::this_thread::sleep_until(due);
+    rogue.strike(spy.known());
+    ++struck;
+  }
+  std::printf("rogue \"%s\" has written %llu samples\n", plan.role.c_str(),
+              static_cast<unsigned long long>(struck));
+  return 0;
+}
+
+}  // namespace
+}  // namespace caravan::test
+
+int main(int argc, char** argv) {
+  caravan::test::Plan plan;
+  CLI::App app{"A stranger in the domain of a run"};
+  app.add_option("--domain", plan.domain)->required();
+  app.add_option("--seed", plan.seed);
+  app.add_option("--robots", plan.robots);
+  app.add_option("--seconds", plan.seconds);
+  app.add_option("--rate", plan.rate)->check(CLI::PositiveNumber);
+  app.add_option("--role", plan.role);
+  app.add_option("--transport", plan.transport);
+  CLI11_PARSE(app, argc, argv);
+  return caravan::test::run(plan);
+}

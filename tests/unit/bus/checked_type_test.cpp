@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/bus/checked_type.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "idl/control_types.hpp"
+#include "idl/robot_types.hpp"
+#include "idl/world_types.hpp"
+#include "tests/rogue/raw_type.hpp"
+
+namespace caravan::runtime {
+namespace {
+
+namespace msg = caravan_interfaces::msg;
+using test::Bytes;
+using test::bytes_of;
+
+/// Why a sample of these bytes is refused.
+template <typename Type>
+std::optional<Refusal> read(const Bytes& bytes, typename Type::type* into = nullptr) {
+  CheckedType<Type> type;
+  typename Type::type sample;
+  test::Payload payload{static_cast<std::uint32_t>(bytes.size())};
+  EXPECT_TRUE(test::write_bytes(bytes, payload));
+  EXPECT_TRUE(test::read_bytes(type, payload, into == nullptr ? &sample : into));
+  return detail::refusal_of_this_thread();
+}
+
+TEST(CheckedType, ReadsWhatIsOfTheType) {
+  msg::RobotCommand command;
+  command.left_mps(0.25);
+  command.gripper_closed(true);
+  msg::RobotCommand seen;
+
+  EXPECT_EQ(read<msg::RobotCommandPubSubType>(bytes_of<msg::RobotCommandPubSubType>(command), &seen),
+            std::nullopt);
+  EXPECT_EQ(seen, command);
+}
+
+TEST(CheckedType, RefusesABooleanThatIsNeither0Nor1) {
+  Bytes bytes = bytes_of<msg::RobotCommandPubSubType>({});
+  bytes.back() = 2;
+
+  EXPECT_EQ(read<msg::RobotCommandPubSubType>(bytes), Refusal::kMalformed);
+}
+
+TEST(CheckedType, RefusesLengthsBeyondItsBytesAndKeepsNoMemory) {
+  Bytes bytes = bytes_of<msg::TelemetryPubSubType>({});
+  constexpr std::size_t kPathLength = 4 + 8 + 8 + 4 + 4 + 8 + 4;
+  for (std::size_t i = 0; i < 4; ++i) bytes.at(kPathLength + i) = 0xff;
+  msg::Telemetry telemetry;
+
+  EXPECT_EQ(read<msg::TelemetryPubSubType>(bytes, &telemetry), Refusal::kMalformed);
+  EXPECT_EQ(telemetry.path().capacity(), 0U);
+}
+
+TEST(CheckedType, RefusesWhatIsTooShortTooLongOrNothing) {
+  Bytes bytes = bytes_of<msg::WorldTruthPubSubType>({});
+  bytes.resize(bytes.size() / 2);
+
+  EXPECT_EQ(read<msg::WorldTruthPubSubType>(bytes), Refusal::kMalformed);
+  EXPECT_EQ(read<msg::WorldTruthPubSubType>({}), Refusal::kMalformed);
+  EXPECT_EQ(read<msg::WorldTruthPubSubType>(Bytes(kMostBytes + 4)), Refusal::kTooLong);
+}
+
+TEST(CheckedType, AGoodSampleAfterABadOneCounts) {
+  (void)read<msg::RobotCommandPubSubType>({});
+
+  EXPECT_EQ(read<msg::RobotCommandPubSubType>(bytes_of<msg::RobotCommandPubSubType>({})), std::nullopt);
+}
+
+template <typename... Types>
+struct Each {
+  static void read_all(const Bytes& bytes) { (((void)read<Types>(bytes)), ...); }
+};
+using All = Each<msg::SensorFramePubSubType, msg::RobotCommandPubSubType, msg::RadioTransmitPubSubType,
+                 msg::RadioReceivePubSubType, msg::TelemetryPubSubType, msg::WorldTruthPubSubType,
+                 msg::RadioStepPubSubType, msg::WorldStatusPubSubType, msg::RadioStatusPubSubType,
+                 msg::RunCreditPubSubType, msg::ControlRequestPubSubType, msg::ControlReplyPubSubType>;
+
+TEST(CheckedType, TakesAnyBytes) {
+  for (std::uint32_t seed = 1; seed <= 2000; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random{seed};
+    Bytes bytes(random() % 600);
+    // Small numbers pass for lengths, so that what follows them is read too.
+    for (std::uint8_t& byte : bytes)
+      byte = static_cast<std::uint8_t>(random() % 4 == 0 ? random() : random() % 3);
+    if (bytes.size() >= 4) bytes[0] = 0, bytes[1] = static_cast<std::uint8_t>(random() % 4);
+    All::read_all(bytes);
+  }
+}
+
+}  // namespace
+}  // namespace caravan::runtime
