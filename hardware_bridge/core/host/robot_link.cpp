@@ -65,6 +65,9 @@ void RobotLink::down() {
 
 void RobotLink::synchronise(Time now, unsigned attempts) {
   state_ = Synchronising{0, attempts, now + kSyncPatience};
+  // A robot that its watchdog has stopped goes on with the next packet, whatever it is: SYNC0 is PULSE to a
+  // robot that is still open.
+  put(Order::kStop);
   put(kSyncs[0]);
 }
 
