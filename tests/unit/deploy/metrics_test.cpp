@@ -180,7 +180,7 @@ TEST(MetricsJson, HasExactlyTheKeysThatToolsRelyOnAndThoseAddedSince) {
                   "per_robot.received_s", "per_robot.items", "per_robot.path_length_m", "per_robot.driving_s",
                   "per_robot.exchanging_s", "per_robot.avoiding_s", "per_robot.stuck_s", "per_robot.idle_s",
                   "per_robot.longest_stuck_s", "time_split", "time_split.physics", "time_split.sensors",
-                  "time_split.radio", "time_split.agents", "time_split.transport"));
+                  "time_split.radio", "time_split.agents", "time_split.transport", "strangers"));
   EXPECT_THAT(text, testing::HasSubstr("\"found_s\": 10.0"));
   EXPECT_THAT(text, testing::HasSubstr("\"found_s\": null"));
   EXPECT_THAT(text, testing::HasSubstr("\"real_time_factor\": 4.0"));

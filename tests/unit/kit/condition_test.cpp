@@ -84,7 +84,8 @@ TEST(Condition, AsksTheTallyForMetricsAndEvents) {
   step.contacts = {{2, 0}};
   step.item_events = {};
   tally->observe(step);
-  tally->note(RunEnd{.digest = "abc", .disturbed = true, .failure = {}, .time_split = {}, .refusals = {}});
+  tally->note(RunEnd{
+      .digest = "abc", .disturbed = true, .failure = {}, .time_split = {}, .refusals = {}, .strangers = {}});
   Seen seen;
   EXPECT_FALSE(Condition{"events contact >= 0"}.holds(seen)) << "no world was heard";
   seen.tally = tally;
