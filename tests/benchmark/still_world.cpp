@@ -5,6 +5,7 @@
 // Defines the members of World itself; the linker then takes none of the real ones.
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "world_server/world.hpp"
 
@@ -61,6 +62,10 @@ std::uint64_t World::step() const { return impl_->step; }
 Time World::now() const { return static_cast<Time::rep>(impl_->step) * impl_->period; }
 std::span<const ContactEpisode> World::contacts() const { return {}; }
 std::span<const ItemEvent> World::item_events() const { return {}; }
+const std::string& World::complaint() const {
+  static const std::string kNone;
+  return kNone;
+}
 std::uint32_t World::items_delivered() const { return 0; }
 std::uint64_t World::empty_closings() const { return 0; }
 bool World::finished() const { return now() >= impl_->max_time; }
