@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "hardware_bridge/core/values.hpp"
@@ -11,15 +13,18 @@ namespace caravan::bridge {
 /// By how much a line is behind, as far as its SIPs show: the robot sends one each cycle, so what arrives
 /// more slowly waits in a queue somewhere on the way, and what the host knows is so much older.
 ///
-/// A SIP that was lost looks the same, so what is missing is forgotten by a twentieth of the time that
-/// passes: seldom losses do not add up, and a line that is slower by more than that does.
+/// A line that is too slow never delivers two SIPs within a cycle, one that loses some does: what it takes
+/// for a SIP is the shortest of the last few times between two. What is missing is forgotten by a twentieth
+/// of the time that passes, so seldom losses do not add up, and a line that is slower by more than that does.
 class LineLag {
  public:
   /// A SIP has arrived. @param cycle  of the robot
   void arrived(Time now, Time cycle) {
     if (last_) {
       const Time passed = now - *last_;
-      lag_ = std::clamp(lag_ + passed - cycle - passed / 20, Time{0}, kMost);
+      gaps_[next_++ % gaps_.size()] = passed;
+      const Time takes = std::max(cycle, *std::min_element(gaps_.begin(), gaps_.end()));
+      lag_ = std::clamp(lag_ + std::min(passed, takes) - cycle - passed / 20, Time{0}, kMost);
     }
     last_ = now;
   }
@@ -34,6 +39,8 @@ class LineLag {
  private:
   static constexpr Time kMost = std::chrono::seconds{20};
   std::optional<Time> last_;
+  std::array<Time, 4> gaps_{};  // between SIPs, the last ones
+  std::size_t next_ = 0;
   Time lag_{0};
 };
 
