@@ -60,7 +60,8 @@ TEST_F(BadScenario, EveryTableIsCheckedAndTheLineAndKeyAreNamed) {
   expect_refused("seed = 1", "colour = 3", "colour: unknown key");
   expect_refused("seed = 1", "seed = \"one\"", "seed: must be");
   expect_refused("count = 4", "count = 4.5", "robots.count: must be a whole number");
-  expect_refused("range_m = 2.0", "range_m = -2.0", "radio.range_m: must be above 0, is -2");
+  expect_refused("range_m = 2.0", "range_m = -2.0",
+                 "radio.range_m: must be above 0 and at most 1e+06, is -2");
   expect_refused("mode = \"full\"", "mode = \"loud\"", "algorithm.mode: must be one of");
   expect_refused("arena_m = ", "areena_m = ", "world.areena_m: unknown key");
   expect_refused("max_time_s = 3600.0", "max_time_s = nan", "experiment.max_time_s: must be finite");
