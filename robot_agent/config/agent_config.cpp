@@ -29,6 +29,7 @@ void take_robots(const runtime::RobotsTable& robots, Config& config) {
   config.service_radius_m = robots.service_radius_m;
   config.wheel_limit_mps = robots.wheel_limit_mps;
   config.track_m = robots.track_m;
+  config.wheel_radius_m = robots.wheel_radius_m;
   config.body_ahead_m = robots.body_ahead_m;
   config.body_length_m = robots.body_length_m;
   config.body_width_m = robots.body_width_m;
@@ -47,6 +48,9 @@ void read_driving(runtime::TomlTable& table, Config& config) {
   table.read("meeting_m", config.meeting_m, kLength_m);
   table.read("keep_clear_m", config.keep_clear_m, {0.0, kLength_m.high});
   table.read("arrival_radius_m", config.arrival_radius_m, kLength_m);
+  table.read("touch_margin_m", config.touch_margin_m, {0.0, kLength_m.high});
+  table.read("touched_places", config.touched_places, {0, 10000});
+  read_time(table, "touch_patience_s", config.touch_patience, 0.001);
   read_time(table, "gripper_patience_s", config.gripper_patience, 0.001);
 }
 

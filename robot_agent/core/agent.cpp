@@ -9,6 +9,7 @@
 #include "robot_agent/core/path/merge.hpp"
 #include "robot_agent/core/radio/communication.hpp"
 #include "robot_agent/core/sensing/surfaces.hpp"
+#include "robot_agent/core/sensing/unseen_obstacles.hpp"
 #include "robot_agent/core/task/carrier.hpp"
 #include "robot_agent/core/task/explorer.hpp"
 
@@ -25,6 +26,8 @@ bool knows_where_it_is(const Sensors& sensors) {
          std::isfinite(sensors.yaw_WB_rad);
 }
 
+std::string where(const Point& p_W) { return in_detail("x_m", p_W.x()) + " " + in_detail("y_m", p_W.y()); }
+
 }  // namespace
 
 /// Algorithm 1. WAIT, the receiver queue and the exchange (lines 2 and 14 to 18) are Communication's; lines 3
@@ -40,8 +43,9 @@ struct Agent::Impl {
 
   Outputs step(const Inputs& inputs);
   [[nodiscard]] const Path& own_path() const;
-  [[nodiscard]] std::optional<Perception> perceive(const Inputs& inputs, bool robot_heard);
+  [[nodiscard]] std::optional<Perception> perceive(const Inputs& inputs, bool robot_heard, Notes& notes);
   [[nodiscard]] Motion decide(const Perception& seen, Notes& notes);
+  void note_touch(const Perception& seen, bool drove_forward, Notes& notes);
   void take(const Path& received, const Point& p_WB, Notes& notes);
   void begin_carrying(Path path, Origin from, const Point& p_WB, Notes& notes);
   void report(const Motion& motion, AirOutputs& air, Notes& notes, Outputs& outputs);
@@ -51,6 +55,8 @@ struct Agent::Impl {
   Driver driver;
   Neighbours neighbours;
   Surfaces surfaces;
+  UnseenObstacles unseen_obstacles;
+  Wheels told;  // in the step before
   pure::Random random;
   std::variant<Explorer, Carrier> task;
   Origin origin = Origin::kNone;
@@ -67,7 +73,7 @@ const Path& Agent::Impl::own_path() const {
   return carrier == nullptr ? kNoPath : carrier->path();
 }
 
-std::optional<Perception> Agent::Impl::perceive(const Inputs& inputs, bool robot_heard) {
+std::optional<Perception> Agent::Impl::perceive(const Inputs& inputs, bool robot_heard, Notes& notes) {
   if (robot_heard) robot_last_heard = inputs.now;
   if (!knows_where_it_is(inputs.sensors)) return std::nullopt;
   last_p_WB = inputs.sensors.p_WB;
@@ -80,7 +86,21 @@ std::optional<Perception> Agent::Impl::perceive(const Inputs& inputs, bool robot
   if (seen.around.is_blind()) return std::nullopt;
   surfaces.see(seen);
   seen.surfaces = surfaces.near(seen.p_WB);
+  if (const auto place = unseen_obstacles.feel(inputs.sensors, told, surfaces, config, seen)) {
+    notes.add("obstacle_remembered", where(*place));
+  }
   return seen;
+}
+
+void Agent::Impl::note_touch(const Perception& seen, bool drove_forward, Notes& notes) {
+  notes.add("touched");
+  if (!drove_forward) return;
+  if (!seen.touched) {
+    if (const auto place = unseen_obstacles.touch_ahead(surfaces, config, seen)) {
+      notes.add("obstacle_remembered", where(*place));
+    }
+  }
+  surfaces.touch_ahead(seen, config);
 }
 
 Outputs Agent::Impl::step(const Inputs& inputs) {
@@ -91,7 +111,7 @@ Outputs Agent::Impl::step(const Inputs& inputs) {
   AirOutputs air = communication.step({inputs.now, inputs.heard, own_path(), place});
   for (const Wait& wait : air.robots) neighbours.hear(wait, last_step);
   last_step = inputs.now;
-  const std::optional<Perception> seen = perceive(inputs, air.robot_near);
+  const std::optional<Perception> seen = perceive(inputs, air.robot_near, notes);
   if (air.received && last_p_WB) take(*air.received, *last_p_WB, notes);
   if (auto* carrier = std::get_if<Carrier>(&task); carrier != nullptr && seen) carrier->sense(*seen, notes);
 
@@ -102,14 +122,11 @@ Outputs Agent::Impl::step(const Inputs& inputs) {
     motion = driver.stand(Activity::kIdle, inputs.now);
   } else {
     motion = decide(*seen, notes);
-    if (motion.obstruction == Obstruction::kTouch) {
-      notes.add("touched");
-      if (motion.drove_forward) surfaces.touch_ahead(*seen, config);
-    }
+    if (motion.obstruction == Obstruction::kTouch) note_touch(*seen, motion.drove_forward, notes);
   }
 
   Outputs outputs;
-  outputs.wheels = motion.wheels;
+  outputs.wheels = told = motion.wheels;
   const auto* carrier = std::get_if<Carrier>(&task);
   outputs.gripper_closed = carrier != nullptr && carrier->gripper_closed();
   outputs.tuned = air.tuned;

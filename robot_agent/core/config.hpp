@@ -21,6 +21,7 @@ struct Config {
   // The body.
   double wheel_limit_mps = 1.6;
   double track_m = 0.330;
+  double wheel_radius_m = 0.0975;
   double body_ahead_m = 0.200;  ///< from the axle to the front
   double body_length_m = 0.485;
   double body_width_m = 0.381;
@@ -41,8 +42,12 @@ struct Config {
   double arrival_radius_m = 1.0;
   std::chrono::nanoseconds gripper_patience =
       std::chrono::milliseconds{300};  ///< for the gripper to hold, or not to, once it was told
-  bool wait_tells_place = true;        ///< WAIT says where its sender is and how it moves
-  double keep_clear_m = 0.05;          ///< between two robots' bodies; it needs to be told where they are
+  double touch_margin_m = 0.35;        ///< half the size that something touched and unseen is taken to have
+  std::uint32_t touched_places = 0;    ///< so many are remembered, for the whole run; 0: none
+  std::chrono::nanoseconds touch_patience =
+      std::chrono::seconds{15};  ///< a robot that gets nowhere for so long forgets those around it
+  bool wait_tells_place = true;  ///< WAIT says where its sender is and how it moves
+  double keep_clear_m = 0.05;    ///< between two robots' bodies; it needs to be told where they are
 
   // Path record and smoothing (Algorithm 4).
   double point_spacing_m = 1.0;

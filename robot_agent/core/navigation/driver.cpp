@@ -112,7 +112,7 @@ void Driver::free(const Point& goal_W, const Perception& seen, int attempt, pure
 }
 
 Motion Driver::approach(const Point& goal_W, const Perception& seen, pure::Random& random) {
-  const bool stuck = monitor_.update(seen, last_wheels_, config_);
+  const bool stuck = monitor_.update(seen, last_wheels_, config_) || seen.touched;
   auto* manoeuvring = std::get_if<Manoeuvring>(&state_);
   if (stuck && manoeuvring && last_wheels_.left_mps < 0.0 && last_wheels_.right_mps < 0.0) {
     manoeuvring->performance.skip();  // behind it is something as well: no more backing off

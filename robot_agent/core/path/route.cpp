@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robot_agent/core/path/bending.hpp"
 #include "robot_agent/core/path/following.hpp"
 #include "robot_agent/core/path/recording.hpp"
 #include "runtime/pure/assert.hpp"
@@ -104,6 +105,27 @@ void Route::shorten(const Point& p_WB, std::size_t candidate, double spacing_m) 
   next_ = next;
   provisional_ = now;
   measure();
+}
+
+bool Route::bend_round(std::span<const Point> places, double clear_m, const Point& p_WB) {
+  if (!may_shorten()) return false;
+  std::optional<Bend> bend = bent_round(plan_, next_ - 1, places, clear_m);
+  if (!bend) return false;
+  const std::size_t old_size = plan_.size();
+  const std::size_t old_last = bend->last + old_size - bend->path.size();
+  Provisional now{bend->first, bend->last, {plan_[bend->first], plan_[old_last]}};
+  if (provisional_) {
+    now.first = std::min(now.first, provisional_->first);
+    if (provisional_->last > old_last) now.last = bend->path.size() - (old_size - provisional_->last);
+  }
+  if (bend->first < next_) {
+    const std::span section = std::span{bend->path}.subspan(bend->first, bend->last - bend->first + 1);
+    next_ = bend->first + project(section, p_WB).segment + 1;
+  }
+  plan_ = std::move(bend->path);
+  provisional_ = now;
+  measure();
+  return true;
 }
 
 Route::Ends Route::restore(const Point& p_WB) {

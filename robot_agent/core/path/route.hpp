@@ -40,6 +40,8 @@ class Route {
 
   /// Takes a shortcut from where the robot is, provisionally.
   void shorten(const Point& p_WB, std::size_t candidate, double spacing_m);
+  /// Leads the plan ahead round places that are in its way, provisionally. @return true when one is
+  bool bend_round(std::span<const Point> places, double clear_m, const Point& p_WB);
   struct Ends {
     Point from, to;
   };

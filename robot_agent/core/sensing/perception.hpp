@@ -16,9 +16,11 @@ struct Perception {
   bool holding = false;
   bool robot_near = false;  ///< a WAIT was heard just now
   Surroundings around;
-  std::vector<Neighbour> robots;  ///< that told where they are, by id
-  Surroundings still;             ///< `around` without the echoes of `robots`
-  std::vector<Point> surfaces{};  ///< in W, near by: where something that is no robot was seen of late
+  std::vector<Neighbour> robots;   ///< that told where they are, by id
+  Surroundings still;              ///< `around` without the echoes of `robots`
+  std::vector<Point> surfaces{};   ///< in W, near by: where something that is no robot was seen of late
+  std::vector<Point> touched_W{};  ///< middles of what the robot touched and its sonars do not see, in W
+  bool touched = false;            ///< ran into something just now that its sonars do not see
 
   /// Where a point of W lies as seen by the robot: 0 ahead, positive to the left.
   [[nodiscard]] double bearing_to(const Point& p_W) const {

@@ -15,7 +15,8 @@ constexpr double kFarthest_m = 3.0;  // from the robot
 constexpr double kExact_m = 1.2;     // beyond this range an echo does not say well enough where it is from
 constexpr double kSamePlace_m = 0.05;
 constexpr double kReach_m = 0.8;
-constexpr double kRobot_m = 0.5;  // around the axle of one
+constexpr double kExplains_m = 0.15;  // what is touched this near to what was seen
+constexpr double kRobot_m = 0.5;      // around the axle of one
 
 // Two echoes of a sonar on one wall tell its direction when they are this far apart,
 constexpr double kShortest_m = 0.08;
@@ -47,7 +48,7 @@ void Surfaces::see(const Perception& seen) {
   for (const Echo& echo : seen.still.echoes()) {
     if (echo.range_m > kExact_m) continue;
     const Point at = seen.p_WB + turned(echo.p_B, ahead);
-    remember(at, seen.now);
+    remember({at, seen.now});
     follow(echo.sonar, turned(echo.across_B, ahead), at, seen.now);
   }
 }
@@ -60,13 +61,13 @@ void Surfaces::forget(const Perception& seen) {
   });
 }
 
-void Surfaces::remember(const Point& at, Time now) {
+void Surfaces::remember(const Place& place) {
   const auto known =
-      std::ranges::find_if(places_, [&](const Place& place) { return within(place.at, at, kSamePlace_m); });
+      std::ranges::find_if(places_, [&](const Place& one) { return within(one.at, place.at, kSamePlace_m); });
   if (known == places_.end()) {
-    places_.push_back({at, now});
+    places_.push_back(place);
   } else {
-    *known = {at, now};
+    *known = place;
   }
 }
 
@@ -87,8 +88,13 @@ void Surfaces::touch_ahead(const Perception& seen, const Config& config) {
   const Point ahead = direction(seen.yaw_WB_rad);
   for (const double part : kAcrossTheFront) {
     const Point at_B{config.body_ahead_m + kInFront_m, part * config.body_width_m};
-    remember(seen.p_WB + turned(at_B, ahead), seen.now);
+    remember({seen.p_WB + turned(at_B, ahead), seen.now, true});
   }
+}
+
+bool Surfaces::has_seen(const Point& at_W) const {
+  return std::ranges::any_of(
+      places_, [&](const Place& place) { return !place.touched && within(place.at, at_W, kExplains_m); });
 }
 
 std::vector<Point> Surfaces::near(const Point& p_WB) const {

@@ -21,6 +21,8 @@ class Surfaces {
   void see(const Perception& seen);
   /// The robot drove forward and did not come forward: something unseen is in front of it.
   void touch_ahead(const Perception& seen, const Config& config);
+  /// True when the sonars saw something near this place not long ago.
+  [[nodiscard]] bool has_seen(const Point& at_W) const;
   /// Places in W within reach of a body that drives and brakes.
   [[nodiscard]] std::vector<Point> near(const Point& p_WB) const;
 
@@ -28,9 +30,10 @@ class Surfaces {
   struct Place {
     Point at{0.0, 0.0};
     Time seen{-std::chrono::hours{1}};
+    bool touched = false;  // and not seen
   };
   void forget(const Perception& seen);
-  void remember(const Point& at, Time now);
+  void remember(const Place& place);
   void follow(std::size_t sonar, const Point& across_W, const Point& at, Time now);
   std::vector<Place> places_;
   std::vector<Point> goes_on_;                 // where walls that sonars follow now should go on

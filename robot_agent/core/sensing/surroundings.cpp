@@ -101,6 +101,12 @@ double Surroundings::clearance_m(const Corridor& corridor) const {
                                                {along.dot(right), cross(along, right)}, corridor.half_width_m,
                                                corridor.beyond_m));
   }
+  for (const Point& place : touched_B_) {
+    const double ahead = along.dot(place);
+    if (ahead <= corridor.beyond_m) continue;
+    if (std::abs(cross(along, place)) > corridor.half_width_m + margin_m_) continue;
+    nearest = std::min(nearest, std::max(0.0, ahead - margin_m_));
+  }
   return nearest;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "robot_agent/core/config.hpp"
 #include "robot_agent/core/types.hpp"
@@ -47,8 +48,13 @@ class Surroundings {
     }
     return rest;
   }
+  /// Takes places that the robot touched, frame B, for surfaces that reach so far around them.
+  void add_touched(std::vector<Point> places_B, double margin_m) {
+    touched_B_ = std::move(places_B);
+    margin_m_ = margin_m;
+  }
 
-  /// By sonar.
+  /// By sonar, without the places touched.
   [[nodiscard]] std::span<const Echo> echoes() const { return {echoes_.data(), count_}; }
   /// Distance from the base along the corridor's line to the first surface inside the corridor; +inf: none.
   [[nodiscard]] double clearance_m(const Corridor& corridor) const;
@@ -60,6 +66,8 @@ class Surroundings {
  private:
   std::array<Echo, kSonarCount> echoes_;
   std::size_t count_ = 0;
+  std::vector<Point> touched_B_;
+  double margin_m_ = 0.0;
   bool blind_ = true;
   double fan_rad_;
 };

@@ -27,6 +27,11 @@ constexpr Time kWanderPatience = 20s;
 constexpr Time kWanderAgain = 60s;
 constexpr double kReached_m = 0.3;
 
+/// From the middle of what it touched: a little more than shortcuts keep, so that it does not stop beside it.
+double keeps_from_touched_m(const Config& config) {
+  return 0.5 * config.corridor_m + config.touch_margin_m + 0.05;
+}
+
 }  // namespace
 
 Carrier::Carrier(const Config& config, Path path, const Point& p_WB)
@@ -105,6 +110,11 @@ Motion Carrier::follow(const Perception& seen, Driver& driver, pure::Random& ran
               in_detail("from_m", before) + " " + in_detail("to_m", length_m(route_.driven())));
   }
   if (driver.is_steering()) smooth(seen);
+  if (!seen.touched_W.empty() &&
+      route_.bend_round(seen.touched_W, keeps_from_touched_m(config_), seen.p_WB)) {
+    expect_progress();
+    notes.add("path_bent");
+  }
   const Motion motion = driver.drive_to(route_.goal(seen.p_WB), seen, random);
   react(motion.obstruction, seen, driver, random, notes);
   return motion;

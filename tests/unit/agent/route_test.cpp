@@ -57,6 +57,37 @@ TEST(Route, ABlockedShortcutGivesTheOldSectionBackAndTheRobotReturnsToIt) {
   EXPECT_LT((p - Point{8, 0}).norm(), 0.31);
 }
 
+TEST(Route, IsBentRoundPlacesProvisionallyUntilDriven) {
+  const Path straight = {{0, 0}, {2, 0}, {4, 0}, {6, 0}, {8, 0}};
+  const std::vector<Point> places = {{3.0, 0.1}};
+  Route route{straight, true, {0, 0}};
+  EXPECT_TRUE(route.bend_round(places, 0.6, {0, 0}));
+  EXPECT_FALSE(route.bend_round(places, 0.6, {0, 0})) << "it is bent";
+  EXPECT_EQ(route.driven(), straight);
+  double nearest = 10.0;
+  Point p{0, 0};
+  for (int i = 0; i < 400; ++i) {
+    p = drive(route, p, 1);
+    nearest = std::min(nearest, (p - places[0]).norm());
+  }
+  EXPECT_GT(nearest, 0.5);
+  EXPECT_LT((p - Point{8, 0}).norm(), 0.31);
+  EXPECT_FALSE(route.is_provisional());
+  EXPECT_GT(project(route.driven(), places[0]).distance_m, 0.55) << "others are given what was driven";
+}
+
+TEST(Route, ABlockedBendGivesTheOldSectionBack) {
+  const Path straight = {{0, 0}, {2, 0}, {4, 0}, {6, 0}, {8, 0}};
+  const std::vector<Point> places = {{3.0, 0.1}};
+  Route route{straight, true, {0, 0}};
+  EXPECT_TRUE(route.bend_round(places, 0.6, {0, 0}));
+  const Point p = drive(route, {0, 0}, 55);
+  (void)route.restore(p);
+  EXPECT_EQ(route.plan(), straight);
+  EXPECT_FALSE(route.bend_round(places, 0.6, p)) << "not before the old section lies behind it";
+  EXPECT_LT((drive(route, p, 600) - Point{8, 0}).norm(), 0.31);
+}
+
 TEST(Route, AfterABlockedShortcutTheOldSectionIsDrivenBeforeTheNextIsTried) {
   Route route{kBowed, true, {0, 0}};
   route.shorten({0, 0}, 4, 1.0);

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/sensing/touch.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace caravan::agent {
+namespace {
+
+constexpr std::size_t kNow = 2;   // steps over which a speed is taken
+constexpr double kReached = 0.8;  // of what a wheel is told
+constexpr double kLost = 0.75;
+constexpr double kPushed_mps = 0.03;  // a base that turns on the spot
+constexpr Time kLongestGap = std::chrono::milliseconds{50};
+constexpr Time kSameTouch = std::chrono::milliseconds{500};
+constexpr double kSlowest_mps = 0.08;  // slower wheels say nothing
+
+}  // namespace
+
+double TouchSensor::speed_mps(std::size_t wheel, std::size_t before, const Config& config) const {
+  const Sample& late = samples_[before];
+  const Sample& early = samples_[before + kNow];
+  const double seconds = std::chrono::duration<double>(late.at - early.at).count();
+  return config.wheel_radius_m * (late.angle_rad[wheel] - early.angle_rad[wheel]) / seconds;
+}
+
+bool TouchSensor::has_lost_speed(std::size_t wheel, const Config& config) const {
+  const double sign = samples_[0].told_mps[wheel] < 0.0 ? -1.0 : 1.0;
+  double kept = std::abs(samples_[0].told_mps[wheel]);
+  for (const Sample& sample : samples_) kept = std::min(kept, sign * sample.told_mps[wheel]);
+  if (kept < kSlowest_mps) return false;
+  double reached = 0.0;
+  for (std::size_t i = 1; i + kNow < samples_.size(); ++i) {
+    reached = std::max(reached, sign * speed_mps(wheel, i, config));
+  }
+  return reached >= kReached * kept && sign * speed_mps(wheel, 0, config) < kLost * kept;
+}
+
+bool TouchSensor::is_gapless() const {
+  for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
+    const Time gap = samples_[i].at - samples_[i + 1].at;
+    if (gap <= Time{0} || gap > kLongestGap) return false;
+  }
+  return true;
+}
+
+std::optional<Touch> TouchSensor::update(Time now, const Sensors& sensors, const Wheels& told,
+                                         const Config& config) {
+  std::shift_right(samples_.begin(), samples_.end(), 1);
+  samples_[0] = {now, {sensors.left_wheel_rad, sensors.right_wheel_rad}, {told.left_mps, told.right_mps}};
+  count_ = std::min(count_ + 1, samples_.size());
+  if (count_ < samples_.size() || !is_gapless() || now - last_touch_ < kSameTouch) return std::nullopt;
+  const bool left = has_lost_speed(0, config);
+  const bool right = has_lost_speed(1, config);
+  if (!left && !right) return std::nullopt;
+  last_touch_ = now;
+  const double rear = config.body_ahead_m - config.body_length_m;
+  const double side = 0.5 * config.body_width_m;
+  if (told.left_mps * told.right_mps > 0.0) {
+    const bool forward = told.left_mps > 0.0;
+    const double across = left == right ? 0.0 : (left ? side : -side);
+    return Touch{{forward ? config.body_ahead_m : rear, across}, {forward ? 1.0 : -1.0, 0.0}};
+  }
+  // It turns: what a rear corner meets pushes the base forward, what a front corner meets backward.
+  const double pushed = speed_mps(0, 0, config) + speed_mps(1, 0, config) - told.left_mps - told.right_mps;
+  if (std::abs(pushed) < 2.0 * kPushed_mps) return std::nullopt;
+  const double to_the_left = (told.right_mps > told.left_mps) == (pushed < 0.0) ? 1.0 : -1.0;
+  return Touch{{pushed > 0.0 ? rear : config.body_ahead_m, to_the_left * side}, {0.0, to_the_left}};
+}
+
+}  // namespace caravan::agent

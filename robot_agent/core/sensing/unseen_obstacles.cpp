@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/sensing/unseen_obstacles.hpp"
+
+#include <algorithm>
+
+namespace caravan::agent {
+namespace {
+
+constexpr double kRobot_m = 0.15;     // a robot's body this near is what was touched
+constexpr double kReach_m = 0.8;      // of keep_clear(), as for surfaces
+constexpr double kSomewhere_m = 0.5;  // a robot that came so far got somewhere
+constexpr double kForgets_m = 1.0;    // around it
+
+Point turned(const Point& v_B, double yaw_WB_rad) {
+  const Point ahead = direction(yaw_WB_rad);
+  return v_B.x() * ahead + v_B.y() * Point{-ahead.y(), ahead.x()};
+}
+
+std::vector<Point> in_base_frame(const std::vector<Point>& places_W, const Perception& seen) {
+  std::vector<Point> result;
+  result.reserve(places_W.size());
+  for (const Point& place : places_W) result.push_back(turned(place - seen.p_WB, -seen.yaw_WB_rad));
+  return result;
+}
+
+}  // namespace
+
+bool UnseenObstacles::is_explained(const Point& at_W, const Surfaces& surfaces, const Config& config,
+                                   const Perception& seen) {
+  if (seen.robot_near && seen.robots.empty()) return true;
+  const bool robot = std::ranges::any_of(seen.robots, [&](const Neighbour& one) {
+    return distance_m(Body{one.p_WB, one.yaw_WB_rad}, at_W, config) < kRobot_m;
+  });
+  return robot || surfaces.has_seen(at_W);
+}
+
+std::optional<Point> UnseenObstacles::feel(const Sensors& sensors, const Wheels& told,
+                                           const Surfaces& surfaces, const Config& config, Perception& seen) {
+  if (config.touched_places == 0) return std::nullopt;
+  std::optional<Point> is_new;
+  if (const auto touch = sensor_.update(seen.now, sensors, told, config)) {
+    const Point at = seen.p_WB + turned(touch->at_B, seen.yaw_WB_rad);
+    seen.touched = !is_explained(at, surfaces, config, seen);
+    if (seen.touched && places_.add(at, turned(touch->towards_B, seen.yaw_WB_rad), config)) is_new = at;
+  }
+  if (places_.empty()) return is_new;
+  lose_patience(seen, config);
+  places_.stand_on({seen.p_WB, seen.yaw_WB_rad}, config);
+  for (const Point& at : places_.at(seen.p_WB, kReach_m)) seen.surfaces.push_back(at);
+  seen.touched_W = places_.middles(seen.p_WB, config.vision_radius_m);
+  const std::vector<Point> middles_B = in_base_frame(seen.touched_W, seen);
+  seen.still.add_touched(middles_B, config.touch_margin_m);
+  seen.around.add_touched(middles_B, config.touch_margin_m);
+  return is_new;
+}
+
+std::optional<Point> UnseenObstacles::touch_ahead(const Surfaces& surfaces, const Config& config,
+                                                  const Perception& seen) {
+  if (config.touched_places == 0) return std::nullopt;
+  const Point ahead = direction(seen.yaw_WB_rad);
+  const Point at = seen.p_WB + config.body_ahead_m * ahead;
+  if (is_explained(at, surfaces, config, seen) || !places_.add(at, ahead, config)) return std::nullopt;
+  return at;
+}
+
+void UnseenObstacles::lose_patience(const Perception& seen, const Config& config) {
+  if (seen.distance_to(got_to_) > kSomewhere_m) {
+    got_to_ = seen.p_WB;
+    got_there_ = seen.now;
+  } else if (seen.now - got_there_ > config.touch_patience) {
+    places_.forget_around(seen.p_WB, kForgets_m);
+    got_there_ = seen.now;
+  }
+}
+
+}  // namespace caravan::agent

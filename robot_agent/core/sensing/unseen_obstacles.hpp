@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robot_agent/core/sensing/perception.hpp"
+#include "robot_agent/core/sensing/surfaces.hpp"
+#include "robot_agent/core/sensing/touch.hpp"
+#include "robot_agent/core/sensing/touched_places.hpp"
+
+namespace caravan::agent {
+
+/// Obstacles that the sonars do not see: felt by the wheels, remembered for the whole run, and put beside the
+/// echoes for everything that drives and plans.
+///
+/// What is touched is no such obstacle when a robot is there, when one is heard that does not tell where it
+/// is, or when the sonars saw a surface there not long ago. A robot that gets nowhere for
+/// config.touch_patience forgets what it touched around it: places that are wrong cannot hold it for longer.
+class UnseenObstacles {
+ public:
+  /// To be called in every step; completes `seen`.
+  /// @param told  what the wheels were told in the step before
+  /// @return the place that is new, frame W
+  std::optional<Point> feel(const Sensors& sensors, const Wheels& told, const Surfaces& surfaces,
+                            const Config& config, Perception& seen);
+  /// The robot drove forward and came no further. @return the place that is new, frame W
+  std::optional<Point> touch_ahead(const Surfaces& surfaces, const Config& config, const Perception& seen);
+
+ private:
+  [[nodiscard]] static bool is_explained(const Point& at_W, const Surfaces& surfaces, const Config& config,
+                                         const Perception& seen);
+  void lose_patience(const Perception& seen, const Config& config);
+  TouchSensor sensor_;
+  TouchedPlaces places_;
+  Point got_to_{0.0, 0.0};
+  Time got_there_{0};
+};
+
+}  // namespace caravan::agent

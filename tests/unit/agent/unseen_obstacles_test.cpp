@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/sensing/unseen_obstacles.hpp"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "robot_agent/core/navigation/exploration.hpp"
+#include "robot_agent/core/navigation/steering.hpp"
+#include "robot_agent/core/path/smoothing.hpp"
+
+namespace caravan::agent {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Time kStep = 32ms;
+
+/// A robot that drives east in the open and is stopped where a test says.
+class Driven {
+ public:
+  Config config;
+  Surfaces surfaces;
+  UnseenObstacles obstacles;
+  std::vector<Neighbour> robots;
+  bool heard = false;
+  double gps_noise_m = 0.0;
+
+  /// @return how many places are new
+  int drive(int steps, bool stopped) {
+    int news = 0;
+    for (int i = 0; i < steps; ++i) {
+      now_ += kStep;
+      if (!stopped) p_WB_.x() += 0.029;
+      if (!stopped) angle_rad_ += 0.029 / config.wheel_radius_m;
+      news += look(kDrives) ? 1 : 0;
+    }
+    return news;
+  }
+  std::optional<Point> look(const Wheels& told) {
+    Sensors sensors;
+    sensors.sonar_range_m.fill(std::numeric_limits<double>::infinity());
+    sensors.p_WB = p_WB_ + Point{random_.uniform(-gps_noise_m, gps_noise_m), 0.0};
+    sensors.left_wheel_rad = sensors.right_wheel_rad = angle_rad_;
+    seen_ = perceive(now_, sensors, heard || !robots.empty(), robots, config);
+    surfaces.see(*seen_);
+    return obstacles.feel(sensors, told, surfaces, config, *seen_);
+  }
+  void stand_at(const Point& p_WB, Time after = kStep) {
+    p_WB_ = p_WB;
+    now_ += after;
+    (void)look({});
+  }
+  [[nodiscard]] const Perception& seen() const { return *seen_; }
+  Driven() { config.touched_places = 128; }
+
+  static constexpr Wheels kDrives{0.9, 0.9};
+
+ private:
+  Time now_{0};
+  Point p_WB_{0.0, 0.0};
+  double angle_rad_ = 0.0;
+  std::optional<Perception> seen_;
+  pure::Random random_{1, 1};
+};
+
+TEST(UnseenObstacles, AreRememberedAndPlannedRoundForTheWholeRun) {
+  Driven robot;
+  ASSERT_EQ(robot.drive(20, false), 0);
+  EXPECT_EQ(robot.drive(4, true), 1);
+  const Point front = robot.seen().p_WB + Point{0.2, 0.0};
+  robot.stand_at({-1.5, 0.0}, std::chrono::hours{2});
+  const Perception& seen = robot.seen();
+  ASSERT_EQ(seen.touched_W.size(), 1U);
+  EXPECT_NEAR((seen.touched_W[0] - front).norm(), robot.config.touch_margin_m, 1e-9);
+  EXPECT_NEAR(free_ahead_m(seen.around, robot.config), front.x() + 1.5 - 0.2, 1e-9);
+  EXPECT_NEAR(free_ahead_m(seen.still, robot.config), front.x() + 1.5 - 0.2, 1e-9);
+  EXPECT_FALSE(is_reachable(seen, {2.5, 0.0}, robot.config)) << "no shortcut leads through it";
+  EXPECT_TRUE(is_reachable(seen, {0.5, 1.8}, robot.config));
+  robot.stand_at(front - Point{0.8, 0.0});
+  pure::Random random{1, 1};
+  for (int i = 0; i < 200; ++i) {
+    const Point next = new_location_to_explore(robot.seen(), robot.config, random);
+    EXPECT_GT(std::abs(robot.seen().bearing_to(next)), 0.3);
+  }
+  robot.stand_at(front - Point{0.5, 0.0});
+  EXPECT_THAT(robot.seen().surfaces, testing::SizeIs(1)) << "keep_clear() keeps from it";
+}
+
+TEST(UnseenObstacles, AreNotWhatRobotsAre) {
+  Driven told;
+  told.drive(20, false);
+  told.robots = {{RobotId{2}, told.seen().p_WB + Point{0.5, 0.0}, 0.0, 0.0, 0.0}};
+  EXPECT_EQ(told.drive(10, true), 0) << "one is there";
+  EXPECT_FALSE(told.seen().touched);
+  Driven heard;
+  heard.drive(20, false);
+  heard.heard = true;
+  EXPECT_EQ(heard.drive(10, true), 0) << "one is heard and does not tell where it is";
+  Driven elsewhere;
+  elsewhere.drive(20, false);
+  elsewhere.robots = {{RobotId{2}, elsewhere.seen().p_WB + Point{0.0, 1.0}, 0.0, 0.0, 0.0}};
+  EXPECT_EQ(elsewhere.drive(10, true), 1) << "it is not in the way";
+}
+
+TEST(UnseenObstacles, AreNotMadeByNoiseOfTheGps) {
+  Driven robot;
+  robot.gps_noise_m = 0.2;
+  EXPECT_EQ(robot.drive(5000, false), 0);
+}
+
+TEST(UnseenObstacles, GoWhenTheRobotStandsOnThem) {
+  Driven robot;
+  robot.drive(20, false);
+  ASSERT_EQ(robot.drive(4, true), 1);
+  robot.stand_at(robot.seen().p_WB + Point{0.15, 0.0});
+  EXPECT_THAT(robot.seen().touched_W, testing::IsEmpty());
+}
+
+TEST(UnseenObstacles, HoldNobodyForLong) {
+  Driven robot;
+  robot.drive(20, false);
+  ASSERT_EQ(robot.drive(4, true), 1);  // an operator held it
+  const Point there = robot.seen().p_WB;
+  for (Time waited{0}; waited < robot.config.touch_patience - 1s; waited += 1s) robot.stand_at(there, 1s);
+  EXPECT_THAT(robot.seen().touched_W, testing::SizeIs(1));
+  robot.stand_at(there, 2s);
+  robot.stand_at(there, 1s);
+  EXPECT_THAT(robot.seen().touched_W, testing::IsEmpty());
+}
+
+TEST(UnseenObstacles, AreBoundedAndTheOldestGoes) {
+  Config config;
+  config.touched_places = 3;
+  TouchedPlaces places;
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(places.add({1.0 * i, 0.0}, {1.0, 0.0}, config));
+  EXPECT_FALSE(places.add({7.0, 0.0}, {1.0, 0.0}, config)) << "known";
+  EXPECT_TRUE(places.add({20.0, 0.0}, {1.0, 0.0}, config));
+  EXPECT_THAT(places.at({10.0, 0.0}, 100.0),
+              testing::ElementsAre(Point{9.0, 0.0}, Point{7.0, 0.0}, Point{20.0, 0.0}));
+}
+
+TEST(UnseenObstacles, AreOffWithoutPlaces) {
+  Driven robot;
+  robot.config.touched_places = 0;
+  robot.drive(20, false);
+  EXPECT_EQ(robot.drive(10, true), 0);
+  EXPECT_FALSE(robot.seen().touched);
+  EXPECT_FALSE(robot.obstacles.touch_ahead(robot.surfaces, robot.config, robot.seen()));
+}
+
+}  // namespace
+}  // namespace caravan::agent
