@@ -21,7 +21,7 @@
 #include "runtime/bus/discovery.hpp"
 #include "runtime/bus/fastdds_version.hpp"
 #include "runtime/bus/guid.hpp"
-#include "runtime/bus/lost_ports.hpp"
+#include "runtime/bus/lost_segments.hpp"
 #include "runtime/bus/place.hpp"
 #include "runtime/bus/profile.hpp"
 #include "runtime/bus/qos.hpp"
@@ -42,6 +42,7 @@ void prepare_process() {
   // With intraprocess delivery write() would call the reader's callback in the writer's thread, under the
   // writer's locks.
   turn_intraprocess_delivery_off();
+  (void)reads_past_lost_segments();  // links it in
   dds::DomainParticipantFactoryQos by_hand;
   by_hand.entity_factory().autoenable_created_entities = false;
   dds::DomainParticipantFactory::get_instance()->set_qos(by_hand);
@@ -53,7 +54,6 @@ dds::DomainParticipant* join(const BusConfig& config, dds::DomainParticipantQos 
   const StartDeadline deadline{config.domain};
   auto* const factory = dds::DomainParticipantFactory::get_instance();
   const SendGate gate = hold_back_network(qos);
-  tolerate_lost_ports(qos);
   auto* const participant =
       factory->create_participant(config.domain, qos, listener, dds::StatusMask::none());
   if (participant == nullptr) return nullptr;
@@ -86,7 +86,8 @@ class Bus::Inbox final : public dds::DataReaderListener {
   void on_data_available(dds::DataReader* reader) override;
 
  private:
-  Sender sender_of(const dds::SampleInfo& info);
+  /// None when it has gone: what it says with the same GUID after its return counts again.
+  std::optional<Sender> sender_of(const dds::SampleInfo& info);
 
   const idl::Topic topic_;
   const std::string name_;
@@ -123,14 +124,16 @@ struct Bus::Impl {
   }
 };
 
-Sender Bus::Inbox::sender_of(const dds::SampleInfo& info) {
+std::optional<Sender> Bus::Inbox::sender_of(const dds::SampleInfo& info) {
   constexpr std::size_t kMostSenders = 16;
   const ParticipantId id = to_id(info.sample_identity.writer_guid().guidPrefix);
   const auto known =
       std::find_if(senders_.begin(), senders_.end(), [&](const ParticipantId& one) { return one == id; });
   if (known != senders_.end()) return *known;
+  const auto identity = id == bus_.id ? bus_.identity : bus_.listener.identity_of(id);
+  if (!identity) return std::nullopt;
   if (senders_.size() == kMostSenders) senders_.clear();
-  senders_.push_back({id, claim_of(topic_, bus_.listener.identity_of(id))});
+  senders_.push_back({id, claim_of(topic_, *identity)});
   return senders_.back();
 }
 
@@ -138,13 +141,15 @@ void Bus::Inbox::on_data_available(dds::DataReader* reader) {
   dds::SampleInfo info;
   while (is_ok(reader->take_next_sample(sample_.get(), &info))) {
     if (!info.valid_data) continue;
-    const Sender sender = sender_of(info);
+    const std::optional<Sender> sender = sender_of(info);
+    if (!sender) continue;
     std::optional<Refusal> refusal = detail::refusal_of_this_thread();
-    if (sender.claim == Claim::kNone) refusal = Refusal::kNotItsRole;
+    if (sender->claim == Claim::kNone) refusal = Refusal::kNotItsRole;
     if (refusal) {
-      bus_.strangers.refuse(sender, bus_.listener.identity_of(sender), name_, *refusal);
+      bus_.strangers.refuse(*sender, bus_.listener.identity_of(*sender).value_or(Identity{}), name_,
+                            *refusal);
     } else {
-      take_(sample_.get(), sender);
+      take_(sample_.get(), *sender);
     }
   }
 }
@@ -197,8 +202,8 @@ void Bus::make_reader(const idl::Topic& topic, std::uint32_t robot, dds::TopicDa
 }
 
 void Bus::refuse(const ParticipantId& sender, const idl::Topic& topic, std::uint32_t robot) {
-  impl_->strangers.refuse(sender, impl_->listener.identity_of(sender), idl::name_for(topic, robot),
-                          Refusal::kRoleIsHeld);
+  impl_->strangers.refuse(sender, impl_->listener.identity_of(sender).value_or(Identity{}),
+                          idl::name_for(topic, robot), Refusal::kRoleIsHeld);
 }
 
 void Bus::forgive(const ParticipantId& holder) { impl_->strangers.forgive(holder); }

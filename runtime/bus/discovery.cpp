@@ -112,10 +112,10 @@ void DiscoveryListener::has(End end, const std::string& topic) {
   std::erase_if(untold_, [&](const auto& one) { return one.first == our_end; });
 }
 
-Identity DiscoveryListener::identity_of(const ParticipantId& id) const {
+std::optional<Identity> DiscoveryListener::identity_of(const ParticipantId& id) const {
   const std::lock_guard lock{mutex_};
   const auto known = known_.find(id);
-  return known == known_.end() ? Identity{} : known->second;
+  return known == known_.end() ? std::nullopt : std::optional{known->second};
 }
 
 void DiscoveryListener::mute() {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -26,8 +27,8 @@ class DiscoveryListener final : public DiscoveryEvents {
   /// This process has such an end of a topic.
   void has(End end, const std::string& topic);
 
-  /// Empty for a participant that is not known, or no longer.
-  [[nodiscard]] Identity identity_of(const ParticipantId& id) const;
+  /// None for a participant that is not known, or no longer.
+  [[nodiscard]] std::optional<Identity> identity_of(const ParticipantId& id) const;
   /// No callback is running or will run after this.
   void mute();
 
