@@ -24,6 +24,7 @@ Observer::Observer(const runtime::BusConfig& bus, const std::string& name, std::
                     [this](const msg::WorldTruth& sample) {
                       const std::lock_guard lock{mutex_};
                       book_.add(sample);
+                      if (sample.last()) ended_ = idl::to_time(sample.stamp());
                       tell(sample.last());
                     },
                 .world =
@@ -36,6 +37,8 @@ Observer::Observer(const runtime::BusConfig& bus, const std::string& name, std::
                 .radio =
                     [this](const msg::RadioStatus& sample) {
                       const std::lock_guard lock{mutex_};
+                      // The radio has left after its last counts; who states its role now has none.
+                      if (ended_ && news_.radio && idl::to_time(news_.radio->stamp()) >= *ended_) return;
                       news_.radio = sample;
                     },
                 .telemetry =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -53,6 +54,7 @@ class Observer {
   std::mutex mutex_;
   StepBook book_;
   News news_;
+  std::optional<std::chrono::nanoseconds> ended_;  // the last truth's time
   RunReaders readers_;
   runtime::Bus bus_;  // after what its callbacks touch
   runtime::Writer<caravan_interfaces::msg::RunCreditPubSubType> credit_;

@@ -102,7 +102,7 @@ void RadioShell::take_truth(const msg::WorldTruth& sample) {
     ++stale_samples_;
     return;
   }
-  has_truth_ = true;
+  if (!std::exchange(has_truth_, true)) publish_status();  // observers know the radio before the first step
   if (stamp > newest_ && open_) evaluate();
   const bool evaluated_already = stamp == newest_ && !open_;
   if (stamp > newest_) {

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// Peers that leave in every way: those that stay pay nothing for them but memory.
+//
+// What a resident costs is its processor time. A storm of vain attempts to read what a peer has left takes
+// whatever the machine has to give, up to a core; an idle resident takes less than a hundredth.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "deploy/launcher/domain_lock.hpp"
+#include "deploy/launcher/shared_memory.hpp"
+#include "idl/robot_types.hpp"
+#include "runtime/bus/bus.hpp"
+#include "runtime/bus/place.hpp"
+#include "tests/system/support/process.hpp"
+
+namespace caravan::test {
+namespace {
+
+namespace msg = caravan_interfaces::msg;
+using namespace std::chrono_literals;
+
+/// A participant in a process of its own; it writes "+" to a pipe for each other that it has found, "-" for
+/// each that has gone.
+class Peer {
+ public:
+  explicit Peer(std::uint32_t domain, double lease_s = 5.0) {
+    EXPECT_EQ(pipe(pipe_.data()), 0);
+    pid_ = fork();
+    if (pid_ == 0) live(domain, lease_s);
+    close(pipe_[1]);
+  }
+  ~Peer() {
+    kill(SIGKILL);
+    close(pipe_[0]);
+  }
+  Peer(const Peer&) = delete;
+  Peer& operator=(const Peer&) = delete;
+
+  [[nodiscard]] pid_t pid() const { return pid_; }
+  void signal(int number) const { ::kill(pid_, number); }
+  /// Ends it and waits for that.
+  void kill(int number) {
+    if (pid_ <= 0) return;
+    ::kill(pid_, number);
+    ::kill(pid_, SIGCONT);
+    waitpid(pid_, nullptr, 0);
+    pid_ = -1;
+  }
+  /// Waits until it has found another one.
+  void await_other() {
+    char one = 0;
+    while (one != '+') ASSERT_EQ(read(pipe_[0], &one, 1), 1);
+  }
+  [[nodiscard]] std::chrono::milliseconds cpu_time() const {
+    std::array<char, 512> text{};
+    const std::string name = "/proc/" + std::to_string(pid_) + "/stat";
+    std::FILE* file = std::fopen(name.c_str(), "r");
+    EXPECT_NE(file, nullptr);
+    (void)!std::fread(text.data(), 1, text.size() - 1, file);
+    std::fclose(file);
+    unsigned long user = 0;
+    unsigned long system = 0;
+    const char* behind_name = std::strrchr(text.data(), ')');
+    EXPECT_EQ(
+        std::sscanf(behind_name, ") %*c %*d %*d %*d %*d %*d %*u %*u %*u %*u %*u %lu %lu", &user, &system), 2);
+    return std::chrono::milliseconds{(user + system) * 1000 /
+                                     static_cast<unsigned long>(sysconf(_SC_CLK_TCK))};
+  }
+
+ private:
+  [[noreturn]] void live(std::uint32_t domain, double lease_s) {
+    close(pipe_[0]);
+    sigset_t stop;
+    sigemptyset(&stop);
+    sigaddset(&stop, SIGTERM);
+    sigprocmask(SIG_BLOCK, &stop, nullptr);
+    {
+      runtime::Bus bus{{.role = "robot_agent 1", .domain = domain, .lease_s = lease_s},
+                       [this](const runtime::Discovery& news) {
+                         if (news.kind == runtime::Discovery::Kind::kJoined) (void)!write(pipe_[1], "+", 1);
+                         if (news.kind == runtime::Discovery::Kind::kGone) (void)!write(pipe_[1], "-", 1);
+                       }};
+      auto commands = bus.writer<msg::RobotCommandPubSubType>(idl::kCommand, 1);
+      bus.reader<msg::RobotCommandPubSubType>(idl::kCommand, 1, [](const msg::RobotCommand&, const auto&) {});
+      msg::RobotCommand command;
+      commands.write(command);
+      int number = 0;
+      sigwait(&stop, &number);
+    }
+    _exit(0);
+  }
+
+  std::array<int, 2> pipe_{};
+  pid_t pid_ = -1;
+};
+
+class LeftPeers : public ::testing::Test {
+ protected:
+  /// Processor time of the resident per wall time, over some seconds.
+  [[nodiscard]] static double load_of(const Peer& resident) {
+    constexpr auto kWatched = 4s;
+    std::this_thread::sleep_for(500ms);  // what is owed to the peer's going is done
+    const auto before = resident.cpu_time();
+    std::this_thread::sleep_for(kWatched);
+    const std::chrono::duration<double> used = resident.cpu_time() - before;
+    const double load = used / kWatched;
+    std::printf("load of the resident: %.1f %%\n", 100.0 * load);
+    return load;
+  }
+
+  static constexpr double kMostLoad = 0.02;
+  const deploy::DomainLock lock_{std::nullopt};
+  deploy::SharedMemory leftovers_{lock_.domain()};
+  const std::uint32_t domain_ = lock_.domain();
+};
+
+TEST_F(LeftPeers, CostNothingWhenTheyComeAndGo) {
+  Peer resident{domain_};
+  Peer peer{domain_};
+  resident.await_other();
+  peer.kill(SIGTERM);
+  EXPECT_LT(load_of(resident), kMostLoad);
+}
+
+TEST_F(LeftPeers, CostNothingWhenTheyGoWhileTheResidentIsSuspended) {
+  Peer resident{domain_, 60.0};
+  Peer peer{domain_, 60.0};
+  resident.await_other();
+  resident.signal(SIGSTOP);
+  peer.kill(SIGTERM);
+  resident.signal(SIGCONT);
+  EXPECT_LT(load_of(resident), kMostLoad);
+}
+
+TEST_F(LeftPeers, CostNothingWhenTheyComeAndGoWhileTheResidentIsSuspended) {
+  Peer resident{domain_, 60.0};
+  Peer other{domain_, 60.0};
+  resident.await_other();
+  other.await_other();
+  resident.signal(SIGSTOP);
+  Peer peer{domain_, 60.0};
+  other.await_other();
+  peer.kill(SIGTERM);
+  resident.signal(SIGCONT);
+  EXPECT_LT(load_of(resident), kMostLoad);
+}
+
+TEST_F(LeftPeers, CostNothingWhenTheyComeAndAreKilledWhileTheResidentIsSuspended) {
+  Peer resident{domain_, 60.0};
+  Peer other{domain_, 60.0};
+  resident.await_other();
+  other.await_other();
+  resident.signal(SIGSTOP);
+  Peer peer{domain_, 60.0};
+  other.await_other();
+  leftovers_.note(peer.pid());
+  peer.kill(SIGKILL);
+  resident.signal(SIGCONT);
+  EXPECT_LT(load_of(resident), kMostLoad);
+}
+
+TEST_F(LeftPeers, CostNothingWhenTheyAreKilled) {
+  Peer resident{domain_};
+  Peer peer{domain_};
+  resident.await_other();
+  leftovers_.note(peer.pid());
+  peer.kill(SIGKILL);
+  EXPECT_LT(load_of(resident), kMostLoad);
+}
+
+TEST_F(LeftPeers, CostNothingWhenTheyAreKilledWhileTheResidentIsSuspended) {
+  Peer resident{domain_, 60.0};
+  Peer peer{domain_, 60.0};
+  resident.await_other();
+  resident.signal(SIGSTOP);
+  leftovers_.note(peer.pid());
+  peer.kill(SIGKILL);
+  resident.signal(SIGCONT);
+  EXPECT_LT(load_of(resident), kMostLoad);
+}
+
+TEST_F(LeftPeers, CostNothingWhenTheyAreSuspended) {
+  Peer resident{domain_};
+  Peer peer{domain_};
+  resident.await_other();
+  peer.signal(SIGSTOP);
+  EXPECT_LT(load_of(resident), kMostLoad);
+}
+
+// Its place is still there when the resident looks for peers, its port is not.
+TEST_F(LeftPeers, CostNothingWhenTheyGoInTheMomentInWhichTheResidentStarts) {
+  auto place = std::make_unique<runtime::Place>(domain_);
+  Peer resident{domain_};
+  Peer other{domain_};
+  resident.await_other();
+  place.reset();
+  EXPECT_LT(load_of(resident), kMostLoad);
+}
+
+}  // namespace
+}  // namespace caravan::test

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// A run with strangers in its domain, that write forged and spoiled samples on every topic: it ends as if
+// they were not there, and says that they were.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "deploy/launcher/domain_lock.hpp"
+#include "tests/system/support/digest_of.hpp"
+#include "tests/system/support/process.hpp"
+#include "tests/system/support/rogues.hpp"
+
+namespace caravan::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr std::chrono::milliseconds kRunPatience{150'000};
+
+class Strangers : public ::testing::Test {
+ protected:
+  /// A run of small.toml with a rogue of each role beside it.
+  nlohmann::json run_beside(const std::vector<std::string>& roles, std::vector<std::string> options = {}) {
+    std::vector<std::string> line{"caravan",       "run",      scenario("small.toml"),        "--out",
+                                  folder_ / "out", "--domain", std::to_string(lock_.domain())};
+    line.insert(line.end(), options.begin(), options.end());
+    Process caravan{line, folder_ / "caravan.log"};
+    const Rogues rogues{roles, {.domain = lock_.domain(), .robots = 4, .rate = 400.0}, folder_.path()};
+    EXPECT_EQ(caravan.wait(kRunPatience), 0) << caravan.output() << rogues.output();
+    EXPECT_TRUE(rogues.have_all_begun()) << rogues.output();
+    output_ = caravan.output();
+    return nlohmann::json::parse(read_file(folder_ / "out/metrics.json"));
+  }
+  [[nodiscard]] std::string log_of(const std::string& process) const {
+    return read_file(folder_ / ("out/logs/" + process + ".log"));
+  }
+
+  deploy::DomainLock lock_{std::nullopt};
+  ScratchFolder folder_;
+  std::string output_;
+};
+
+TEST_F(Strangers, ChangeNothingAndAreToldWhateverTheyState) {
+  const auto metrics = run_beside({"rogue", "world_server", "radio_emulator", "robot_agent 1"});
+
+  EXPECT_EQ(metrics.at("digest"), digest_of("small.toml", kEmbedded, {}));
+  EXPECT_FALSE(metrics.at("disturbed"));
+  const std::vector<std::string> strangers = metrics.at("strangers");
+  EXPECT_THAT(strangers, Contains(AllOf(HasSubstr("world: "), HasSubstr("rogue pid"))));
+  EXPECT_THAT(strangers, Contains(AllOf(HasSubstr("radio: "), HasSubstr("world_server pid"))));
+  EXPECT_THAT(strangers, Contains(AllOf(HasSubstr("launcher: "), HasSubstr("robot_agent 1 pid"))));
+  EXPECT_THAT(output_, HasSubstr("stranger    world: "));
+  EXPECT_THAT(log_of("robot_agent_1"), HasSubstr("sample refused topic=rt/robot_1/sensors"));
+}
+
+TEST_F(Strangers, AreNoneInARunOfItsOwn) {
+  const auto metrics = run_beside({});
+
+  EXPECT_EQ(metrics.at("digest"), digest_of("small.toml", kEmbedded, {}));
+  EXPECT_THAT(metrics.at("strangers"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace caravan::test
