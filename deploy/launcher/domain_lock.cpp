@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <ctime>
-#include <fstream>
 #include <string>
 #include <utility>
 
@@ -40,26 +39,6 @@ bool is_in_use(std::uint32_t domain) {
   return has_living_ports(domain) || !runtime::places_in(domain).empty() || has_udp_port(domain);
 }
 
-/// 0 when there is none any more.
-pid_t parent_of(pid_t process) {
-  std::ifstream file{"/proc/" + std::to_string(process) + "/status"};
-  for (std::string word; file >> word;) {
-    if (word != "PPid:") continue;
-    pid_t parent = 0;
-    file >> parent;
-    return parent;
-  }
-  return 0;
-}
-
-/// Whoever starts a run may put other programs between: a shell, env, unshare.
-bool is_started_by(pid_t process) {
-  for (pid_t one = getppid(); one > 0; one = parent_of(one)) {
-    if (one == process) return true;
-  }
-  return false;
-}
-
 [[noreturn]] void refuse(std::uint32_t domain, const std::string& why) {
   throw runtime::StartError{"DDS domain " + std::to_string(domain) + ": " + why +
                             "; choose another --domain, or none to be given a free one"};
@@ -90,7 +69,7 @@ void DomainLock::take(std::uint32_t wanted) {
   domain_ = wanted;
   if (!lock(wanted)) {
     const auto holder = holder_of(wanted);
-    if (holder && is_started_by(holder->pid)) return;
+    if (holder && holder->pid == getppid()) return;
     refuse(wanted, holder ? "another run holds it (" + in_words(*holder) + ")" : "another run holds it");
   }
   if (const auto other = other_user_in(wanted)) {

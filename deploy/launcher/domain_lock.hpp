@@ -13,8 +13,7 @@ namespace caravan::deploy {
 /// it is in no folder, counts for all users, and ends with the process, however that ends. A second one tells
 /// who holds it (domain_users.hpp).
 ///
-/// A process may also take the domain that one holds which started it, itself or through other programs: who
-/// starts a run may choose the domain first.
+/// A process may also take the domain that its parent holds: who starts a run may choose the domain first.
 class DomainLock {
  public:
   /// @param wanted  this one; none: a free one
