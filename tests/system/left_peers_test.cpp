@@ -132,29 +132,6 @@ TEST_F(LeftPeers, CostNothingWhenTheyComeAndGo) {
   EXPECT_LT(load_of(resident), kMostLoad);
 }
 
-TEST_F(LeftPeers, CostNothingWhenTheyGoWhileTheResidentIsSuspended) {
-  Peer resident{domain_, 60.0};
-  Peer peer{domain_, 60.0};
-  resident.await_other();
-  resident.signal(SIGSTOP);
-  peer.kill(SIGTERM);
-  resident.signal(SIGCONT);
-  EXPECT_LT(load_of(resident), kMostLoad);
-}
-
-TEST_F(LeftPeers, CostNothingWhenTheyComeAndGoWhileTheResidentIsSuspended) {
-  Peer resident{domain_, 60.0};
-  Peer other{domain_, 60.0};
-  resident.await_other();
-  other.await_other();
-  resident.signal(SIGSTOP);
-  Peer peer{domain_, 60.0};
-  other.await_other();
-  peer.kill(SIGTERM);
-  resident.signal(SIGCONT);
-  EXPECT_LT(load_of(resident), kMostLoad);
-}
-
 TEST_F(LeftPeers, CostNothingWhenTheyComeAndAreKilledWhileTheResidentIsSuspended) {
   Peer resident{domain_, 60.0};
   Peer other{domain_, 60.0};
