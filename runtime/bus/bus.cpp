@@ -21,6 +21,7 @@
 #include "runtime/bus/discovery.hpp"
 #include "runtime/bus/fastdds_version.hpp"
 #include "runtime/bus/guid.hpp"
+#include "runtime/bus/lost_segments.hpp"
 #include "runtime/bus/place.hpp"
 #include "runtime/bus/profile.hpp"
 #include "runtime/bus/qos.hpp"
@@ -41,6 +42,7 @@ void prepare_process() {
   // With intraprocess delivery write() would call the reader's callback in the writer's thread, under the
   // writer's locks.
   turn_intraprocess_delivery_off();
+  (void)reads_past_lost_segments();  // links it in
   dds::DomainParticipantFactoryQos by_hand;
   by_hand.entity_factory().autoenable_created_entities = false;
   dds::DomainParticipantFactory::get_instance()->set_qos(by_hand);

@@ -38,6 +38,8 @@ inline constexpr const char* kDdsVersion = FASTDDS_VERSION_STR;
 inline constexpr const char* kDdsLibrary = "libfastdds";
 /// The names of its files in /dev/shm begin with it.
 inline constexpr const char* kSharedMemoryMark = "fastdds_";
+/// Whether it reads no further at a port where it finds a message whose memory is gone.
+inline constexpr bool kStopsAtLostSegments = false;
 /// The profile of deploy/fastdds that asks a Discovery Server.
 inline constexpr const char* kDiscoveryProfile = "discovery_3.xml";
 
@@ -209,6 +211,8 @@ inline constexpr const char* kDdsVersion = FASTRTPS_VERSION_STR;
 inline constexpr const char* kDdsLibrary = "libfastrtps";
 /// The names of its files in /dev/shm begin with it.
 inline constexpr const char* kSharedMemoryMark = "fastrtps_";
+/// Whether it reads no further at a port where it finds a message whose memory is gone.
+inline constexpr bool kStopsAtLostSegments = true;
 /// The profile of deploy/fastdds that asks a Discovery Server.
 inline constexpr const char* kDiscoveryProfile = "discovery.xml";
 
