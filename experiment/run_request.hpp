@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <optional>
 
-#include "deploy/metrics/run_facts.hpp"
+#include "experiment/metrics/run_facts.hpp"
 #include "runtime/bus/transport.hpp"
 #include "runtime/config/toml_table.hpp"
 #include "runtime/process/loop.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// One run as the command line asked for it, checked: what either engine is given.
 struct RunRequest {
@@ -35,4 +35,4 @@ struct RunRequest {
   return folder / "radio.trace";
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

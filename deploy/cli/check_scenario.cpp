@@ -25,7 +25,7 @@ std::string in_words(agent::Sharing sharing) {
 
 }  // namespace
 
-RunFacts check_scenario(const runtime::TomlDocument& scenario) {
+experiment::RunFacts check_scenario(const runtime::TomlDocument& scenario) {
   const world::WorldConfig world_config = world::load_world_config(scenario);
   (void)radio::load_radio_config(scenario);
   (void)bridge::read_bridge(scenario);
@@ -38,7 +38,7 @@ RunFacts check_scenario(const runtime::TomlDocument& scenario) {
           .seed = world_config.seed,
           .robots = world_config.robots.count,
           .items = world_config.experiment.items,
-          .max_time = std::chrono::duration_cast<Time>(max_time)};
+          .max_time = std::chrono::duration_cast<experiment::Time>(max_time)};
 }
 
 }  // namespace caravan::deploy

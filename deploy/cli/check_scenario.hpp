@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "deploy/metrics/run_facts.hpp"
+#include "experiment/metrics/run_facts.hpp"
 #include "runtime/config/toml_table.hpp"
 
 namespace caravan::deploy {
@@ -10,6 +10,6 @@ namespace caravan::deploy {
 /// refused here, before anything is started.
 /// @throws runtime::StartError `file:line: key: reason`
 /// @return what is known of a run of it; the engine is left empty
-[[nodiscard]] RunFacts check_scenario(const runtime::TomlDocument& scenario);
+[[nodiscard]] experiment::RunFacts check_scenario(const runtime::TomlDocument& scenario);
 
 }  // namespace caravan::deploy

@@ -8,16 +8,16 @@
 #include "deploy/cli/plan_sweep.hpp"
 #include "deploy/control/run_ctl.hpp"
 #include "deploy/doctor/run_doctor.hpp"
-#include "deploy/embedded/run_embedded.hpp"
 #include "deploy/kit/run_script.hpp"
-#include "deploy/launcher/domain_lock.hpp"
 #include "deploy/launcher/run_dds.hpp"
-#include "deploy/metrics/run_directory.hpp"
-#include "deploy/report/write_report.hpp"
-#include "deploy/sweep/run_sweep.hpp"
-#include "deploy/trace/diff_runs.hpp"
+#include "experiment/embedded/run_embedded.hpp"
+#include "experiment/metrics/run_directory.hpp"
+#include "experiment/report/write_report.hpp"
+#include "experiment/sweep/run_sweep.hpp"
+#include "experiment/trace/diff_runs.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/config/write_error.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/process/streams.hpp"
 
@@ -34,7 +34,7 @@ int check(const deploy::CheckCommand& command) {
 /// What cannot be written before the run begins is an error of the start.
 void write_first_file(const std::filesystem::path& file, const std::string& text) {
   try {
-    deploy::write_whole_file(file, text);
+    experiment::write_whole_file(file, text);
   } catch (const runtime::WriteError& error) {
     throw runtime::StartError{error.what()};
   }
@@ -47,55 +47,59 @@ int run(const deploy::RunCommand& command) {
   const std::string text = deploy::effective_text(original, command.overrides);
   const auto effective =
       runtime::TomlDocument::parse(text, command.scenario.string() + " with the command line's changes");
-  deploy::RunFacts facts = deploy::check_scenario(effective);
+  experiment::RunFacts facts = deploy::check_scenario(effective);
   facts.engine = command.embedded ? "embedded" : "dds";
-  std::optional<deploy::DomainLock> lock;  // before the folder: who finds it taken leaves nothing behind
+  std::optional<runtime::DomainLock> lock;  // before the folder: who finds it taken leaves nothing behind
   if (!command.embedded) lock.emplace(command.domain);
-  const auto folder = std::filesystem::absolute(deploy::make_run_directory(command.out, facts));
+  const auto folder = std::filesystem::absolute(experiment::make_run_directory(command.out, facts));
   write_first_file(folder / "scenario.toml", text);
   std::optional<std::filesystem::path> trace;
   if (command.trace) {
     trace = folder / "trace";
     std::filesystem::create_directory(*trace);
   }
-  const deploy::RunRequest request{.facts = facts,
-                                   .scenario = effective,
-                                   .folder = folder,
-                                   .scenario_file = folder / "scenario.toml",
-                                   .domain = lock ? lock->domain() : 0,
-                                   .transport = command.transport,
-                                   .agents_per_process = command.agents_per_process,
-                                   .trace = trace,
-                                   .quiet = command.quiet,
-                                   .loop = loop};
-  const int code = command.embedded ? deploy::run_embedded(request) : deploy::run_dds(request);
-  if (command.report && code != runtime::kInterrupted) (void)deploy::write_report({folder}, std::nullopt);
+  const experiment::RunRequest request{.facts = facts,
+                                       .scenario = effective,
+                                       .folder = folder,
+                                       .scenario_file = folder / "scenario.toml",
+                                       .domain = lock ? lock->domain() : 0,
+                                       .transport = command.transport,
+                                       .agents_per_process = command.agents_per_process,
+                                       .trace = trace,
+                                       .quiet = command.quiet,
+                                       .loop = loop};
+  const int code = command.embedded ? experiment::run_embedded(request) : deploy::run_dds(request);
+  if (command.report && code != runtime::kInterrupted) (void)experiment::write_report({folder}, std::nullopt);
   return code;
 }
 
 int sweep(const deploy::SweepCommand& command) {
   runtime::Loop loop;
-  deploy::SweepPlan plan = deploy::plan_sweep(command);
+  experiment::SweepPlan plan = deploy::plan_sweep(command);
   if (command.count) {
     std::printf("%zu\n", plan.runs.size());
     return runtime::kDone;
   }
-  return deploy::run_sweep({.plan = std::move(plan),
-                            .folder = std::filesystem::absolute(command.out),
-                            .jobs = command.jobs,
-                            .task = command.task,
-                            .summarise = command.summarise,
-                            .retry_failed = command.retry_failed,
-                            .quiet = command.quiet,
-                            .loop = loop});
+  return experiment::run_sweep({.plan = std::move(plan),
+                                .folder = std::filesystem::absolute(command.out),
+                                .jobs = command.jobs,
+                                .task = command.task,
+                                .summarise = command.summarise,
+                                .retry_failed = command.retry_failed,
+                                .quiet = command.quiet,
+                                .loop = loop});
 }
 
 int obey(const deploy::Exit& exit) { return exit.code; }
 int obey(const deploy::CheckCommand& command) { return check(command); }
 int obey(const deploy::RunCommand& command) { return run(command); }
-int obey(const deploy::DiffCommand& command) { return deploy::diff_runs(command.one, command.other, stdout); }
+int obey(const deploy::DiffCommand& command) {
+  return experiment::diff_runs(command.one, command.other, stdout);
+}
 int obey(const deploy::SweepCommand& command) { return sweep(command); }
-int obey(const deploy::ReportCommand& command) { return deploy::write_report(command.folders, command.out); }
+int obey(const deploy::ReportCommand& command) {
+  return experiment::write_report(command.folders, command.out);
+}
 int obey(const deploy::CtlCommand& command) {
   return deploy::run_ctl(command.domain, command.transport, command.words);
 }

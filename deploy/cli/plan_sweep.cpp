@@ -5,7 +5,7 @@
 
 #include "deploy/cli/check_scenario.hpp"
 #include "deploy/cli/overrides.hpp"
-#include "deploy/sweep/modes.hpp"
+#include "experiment/sweep/modes.hpp"
 #include "runtime/config/number_list.hpp"
 
 namespace caravan::deploy {
@@ -22,15 +22,15 @@ runtime::TomlDocument effective(const std::string& text, const SweepCommand& com
 
 }  // namespace
 
-SweepPlan plan_sweep(const SweepCommand& command) {
+experiment::SweepPlan plan_sweep(const SweepCommand& command) {
   const auto original = runtime::TomlDocument::load(command.scenario);
   (void)check_scenario(original);  // first, because only the original knows the lines
-  SweepPlan plan{.scenario = name_of(original),
-                 .scenario_text = effective_text(original, command.overrides),
-                 .engine = command.engine,
-                 .modes = read_modes(command.modes),
-                 .seeds = runtime::read_number_list(command.seeds, kSeeds),
-                 .runs = {}};
+  experiment::SweepPlan plan{.scenario = name_of(original),
+                             .scenario_text = effective_text(original, command.overrides),
+                             .engine = command.engine,
+                             .modes = experiment::read_modes(command.modes),
+                             .seeds = runtime::read_number_list(command.seeds, kSeeds),
+                             .runs = {}};
   const auto base = effective(plan.scenario_text, command);
   (void)check_scenario(base);
   for (const std::string& mode : plan.modes) {

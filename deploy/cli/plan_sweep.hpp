@@ -2,13 +2,13 @@
 #pragma once
 
 #include "deploy/cli/command_line.hpp"
-#include "deploy/sweep/plan.hpp"
+#include "experiment/sweep/plan.hpp"
 
 namespace caravan::deploy {
 
 /// The runs that the command asks for, the scenario of each checked.
 ///
 /// @throws runtime::StartError for a bad scenario, --seeds or --modes
-[[nodiscard]] SweepPlan plan_sweep(const SweepCommand& command);
+[[nodiscard]] experiment::SweepPlan plan_sweep(const SweepCommand& command);
 
 }  // namespace caravan::deploy

@@ -9,10 +9,10 @@
 
 #include "deploy/control/requester.hpp"
 #include "deploy/control/words.hpp"
-#include "deploy/launcher/domain_users.hpp"
 #include "idl/stamp.hpp"
 #include "idl/world_types.hpp"
 #include "runtime/config/start_error.hpp"
+#include "runtime/host/domain_users.hpp"
 #include "runtime/process/run_process.hpp"
 
 namespace caravan::deploy {
@@ -102,8 +102,9 @@ int run_ctl(std::uint32_t domain, runtime::Transport transport, const std::vecto
   if (!request && !only_status)
     throw runtime::StartError{"caravan ctl: unknown request, see caravan ctl --help"};
   // Not even looked at: whoever joins only gets in the way of processes that cannot use its shared memory.
-  if (const auto other = other_user_in(domain); other && transport == runtime::Transport::kSharedMemory) {
-    const std::string user = user_in_words(*other);
+  if (const auto other = runtime::other_user_in(domain);
+      other && transport == runtime::Transport::kSharedMemory) {
+    const std::string user = runtime::user_in_words(*other);
     std::fprintf(stderr, "the run in DDS domain %u is another user's (%s): ask as %s\n", domain, user.c_str(),
                  user.c_str());
     return runtime::kFailed;
@@ -115,7 +116,7 @@ int run_ctl(std::uint32_t domain, runtime::Transport transport, const std::vecto
   requester.join(bus);
   const auto status = world.wait();
   if (!status) {
-    const auto holder = holder_of(domain);
+    const auto holder = runtime::holder_of(domain);
     const std::string who =
         holder ? ", though a run holds it (" + in_words(*holder) + "): is --transport that run's?" : "";
     std::fprintf(stderr, "no world in DDS domain %u%s\n", domain, who.c_str());

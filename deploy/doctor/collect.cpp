@@ -15,7 +15,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "deploy/launcher/shared_memory.hpp"
+#include "runtime/host/shared_memory.hpp"
 
 namespace caravan::deploy {
 namespace fs = std::filesystem;
@@ -99,14 +99,14 @@ void look_at_shared_memory(HostFacts& facts) {
   struct statvfs room {};
   facts.shared_memory_writable = statvfs("/dev/shm", &room) == 0 && access("/dev/shm", W_OK) == 0;
   facts.shared_memory_free_bytes = std::uint64_t{room.f_bavail} * room.f_frsize;
-  for (const LeftFile& file : left_by_the_dead()) {
+  for (const runtime::LeftFile& file : runtime::left_by_the_dead()) {
     ++facts.left_files;
     facts.left_bytes += file.bytes;
   }
 }
 
 void look_at_ports(HostFacts& facts) {
-  facts.domain_in_use = has_living_ports(facts.domain);
+  facts.domain_in_use = runtime::has_living_ports(facts.domain);
   facts.udp_ports_in_use = udp_ports();
   const auto range = numbers_in("/proc/sys/net/ipv4/ip_local_port_range");
   if (range.size() == 2) {

@@ -6,7 +6,7 @@
 
 #include "deploy/doctor/collect.hpp"
 #include "deploy/doctor/findings.hpp"
-#include "deploy/launcher/shared_memory.hpp"
+#include "runtime/host/shared_memory.hpp"
 #include "runtime/process/run_process.hpp"
 
 namespace caravan::deploy {
@@ -28,7 +28,7 @@ const char* word_for(Finding::Severity severity) {
 
 int run_doctor(const DoctorRequest& request) {
   if (request.clean) {
-    const auto removed = remove_left_by_the_dead();
+    const auto removed = runtime::remove_left_by_the_dead();
     std::printf("removed %zu files from /dev/shm\n", removed);
   }
   const auto findings = examine(look_at_host(request.robots, request.domain, request.transport));

@@ -35,7 +35,7 @@ fs::path write_scenario(const DeploymentOptions& options) {
 }
 
 /// What the tally of a run needs to know of it.
-RunFacts facts_of(const fs::path& scenario) {
+experiment::RunFacts facts_of(const fs::path& scenario) {
   const auto document = runtime::TomlDocument::load(scenario);
   const runtime::ExperimentTable experiment = runtime::read_experiment(document);
   return {.scenario = {},
@@ -43,7 +43,8 @@ RunFacts facts_of(const fs::path& scenario) {
           .mode = {},
           .robots = runtime::read_robots(document).count,
           .items = experiment.items,
-          .max_time = std::chrono::duration_cast<Time>(std::chrono::duration<double>(experiment.max_time_s))};
+          .max_time = std::chrono::duration_cast<experiment::Time>(
+              std::chrono::duration<double>(experiment.max_time_s))};
 }
 
 fs::path folder_of_binaries(const DeploymentOptions& options) {

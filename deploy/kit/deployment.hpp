@@ -16,8 +16,8 @@
 #include "deploy/kit/ears.hpp"
 #include "deploy/kit/processes.hpp"
 #include "deploy/kit/seen.hpp"
-#include "deploy/launcher/domain_lock.hpp"
 #include "runtime/bus/transport.hpp"
+#include "runtime/host/domain_lock.hpp"
 
 namespace caravan::deploy {
 
@@ -76,7 +76,7 @@ class Deployment {
   [[nodiscard]] std::string scene(const Seen& seen) const;
 
   DeploymentOptions options_;
-  DomainLock lock_;  // before the first file: who finds the domain taken leaves nothing behind
+  runtime::DomainLock lock_;  // before the first file: who finds the domain taken leaves nothing behind
   std::filesystem::path scenario_file_;
   std::uint32_t robots_ = 0;
   Processes processes_;

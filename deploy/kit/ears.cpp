@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "deploy/launcher/run_end.hpp"
+#include "deploy/observer/run_end.hpp"
 #include "idl/robot_types.hpp"
 #include "idl/stamp.hpp"
 #include "robot_agent/core/radio/frames/codec.hpp"
@@ -39,7 +39,7 @@ double seconds(const builtin_interfaces::msg::Time& stamp) {
 
 }  // namespace
 
-Ears::Ears(const runtime::BusConfig& bus, RunFacts facts, bool hold_start)
+Ears::Ears(const runtime::BusConfig& bus, experiment::RunFacts facts, bool hold_start)
     : facts_{std::move(facts)},
       goes_{!hold_start},
       readers_{facts_.robots,
@@ -101,7 +101,7 @@ void Ears::give_credit(const builtin_interfaces::msg::Time& stamp) {
 }
 
 void Ears::count() {
-  for (const Observation& step : book_.take()) tally_->observe(step);
+  for (const experiment::Observation& step : book_.take()) tally_->observe(step);
 }
 
 void Ears::on_truth(const msg::WorldTruth& truth) {

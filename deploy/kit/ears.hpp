@@ -11,8 +11,8 @@
 
 #include "deploy/control/requester.hpp"
 #include "deploy/kit/seen.hpp"
-#include "deploy/launcher/listen.hpp"
-#include "deploy/launcher/step_book.hpp"
+#include "deploy/observer/listen.hpp"
+#include "deploy/observer/step_book.hpp"
 #include "idl/control_types.hpp"
 #include "idl/robot_types.hpp"
 #include "idl/world_types.hpp"
@@ -30,7 +30,7 @@ class Ears {
 
   /// @param facts       of every session
   /// @param hold_start  gives no credit before go()
-  Ears(const runtime::BusConfig& bus, RunFacts facts, bool hold_start);
+  Ears(const runtime::BusConfig& bus, experiment::RunFacts facts, bool hold_start);
   ~Ears();
   Ears(const Ears&) = delete;
   Ears& operator=(const Ears&) = delete;
@@ -64,7 +64,7 @@ class Ears {
   mutable std::mutex mutex_;
   mutable bool has_news_ = false;
   std::condition_variable news_;
-  RunFacts facts_;
+  experiment::RunFacts facts_;
   Seen seen_;
   StepBook book_;
   std::shared_ptr<Tally> tally_;

@@ -13,8 +13,8 @@
 #include "deploy/kit/actions.hpp"
 #include "deploy/kit/process.hpp"
 #include "deploy/kit/seen.hpp"
-#include "deploy/launcher/shared_memory.hpp"
 #include "runtime/bus/transport.hpp"
+#include "runtime/host/shared_memory.hpp"
 
 namespace caravan::deploy {
 
@@ -74,7 +74,7 @@ class Processes {
 
   ProcessSetup setup_;
   std::function<void(const std::string&)> on_end_;
-  SharedMemory memory_;
+  runtime::SharedMemory memory_;
   std::map<std::string, Life> lives_;
 };
 

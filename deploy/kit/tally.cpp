@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "deploy/metrics/metrics_json.hpp"
+#include "experiment/metrics/metrics_json.hpp"
 
 namespace caravan::deploy {
 namespace {
@@ -45,26 +45,27 @@ MetricKeys keys_of(const Json& metrics) {
 
 }  // namespace
 
-Tally::Tally(RunFacts facts) : facts_{std::move(facts)}, metrics_{facts_.robots}, book_{facts_.robots} {}
+Tally::Tally(experiment::RunFacts facts)
+    : facts_{std::move(facts)}, metrics_{facts_.robots}, book_{facts_.robots} {}
 
-void Tally::observe(const Observation& observation) {
+void Tally::observe(const experiment::Observation& observation) {
   const std::lock_guard lock{mutex_};
   metrics_.observe(observation);
-  for (const EventRow& row : book_.observe(observation)) {
+  for (const experiment::EventRow& row : book_.observe(observation)) {
     Kind& kind = events_[{row.event, row.robot}];
     ++kind.count;
     kind.newest = row.detail;
   }
 }
 
-void Tally::note(const RunEnd& end) {
+void Tally::note(const experiment::RunEnd& end) {
   const std::lock_guard lock{mutex_};
   end_ = end;
 }
 
 std::optional<Tally::Number> Tally::metric(const std::string& key, std::uint32_t robot) const {
   const std::lock_guard lock{mutex_};
-  const Json json = Json::parse(metrics_json(facts_, metrics_.result(), end_, false));
+  const Json json = Json::parse(experiment::metrics_json(facts_, metrics_.result(), end_, false));
   const Json& robots = json.at("per_robot");
   if (robot > robots.size()) return std::nullopt;
   const Json* found = member(robot == 0 ? json : robots[robot - 1], key);
@@ -87,7 +88,8 @@ std::optional<std::string> Tally::detail(const std::string& kind, std::uint32_t 
 }
 
 const MetricKeys& metric_keys() {
-  static const MetricKeys keys = keys_of(Json::parse(metrics_json({}, Metrics{1}.result(), RunEnd{}, false)));
+  static const MetricKeys keys = keys_of(Json::parse(
+      experiment::metrics_json({}, experiment::Metrics{1}.result(), experiment::RunEnd{}, false)));
   return keys;
 }
 

@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
-#include "deploy/metrics/event_book.hpp"
-#include "deploy/metrics/metrics.hpp"
-#include "deploy/metrics/run_facts.hpp"
+#include "experiment/metrics/event_book.hpp"
+#include "experiment/metrics/metrics.hpp"
+#include "experiment/metrics/run_facts.hpp"
 
 namespace caravan::deploy {
 
@@ -23,10 +23,10 @@ class Tally {
  public:
   using Number = std::variant<double, std::string>;
 
-  explicit Tally(RunFacts facts);
+  explicit Tally(experiment::RunFacts facts);
 
-  void observe(const Observation& observation);
-  void note(const RunEnd& end);
+  void observe(const experiment::Observation& observation);
+  void note(const experiment::RunEnd& end);
 
   /// By its key in metrics.json, as in `exchanges.completed`, or by one of `per_robot` for robot > 0. none:
   /// null, or no such key.
@@ -42,10 +42,10 @@ class Tally {
     std::string newest;
   };
   mutable std::mutex mutex_;
-  RunFacts facts_;
-  RunEnd end_;
-  Metrics metrics_;
-  EventBook book_;
+  experiment::RunFacts facts_;
+  experiment::RunEnd end_;
+  experiment::Metrics metrics_;
+  experiment::EventBook book_;
   std::map<std::pair<std::string, std::uint32_t>, Kind> events_;
 };
 

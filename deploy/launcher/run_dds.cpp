@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <string>
 
-#include "deploy/launcher/children.hpp"
-#include "deploy/launcher/observer.hpp"
-#include "deploy/launcher/run_end.hpp"
-#include "deploy/launcher/shared_memory.hpp"
 #include "deploy/launcher/standstill.hpp"
-#include "deploy/metrics/run_record.hpp"
+#include "deploy/observer/observer.hpp"
+#include "deploy/observer/run_end.hpp"
+#include "experiment/metrics/run_record.hpp"
 #include "idl/stamp.hpp"
+#include "runtime/host/children.hpp"
+#include "runtime/host/shared_memory.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 
@@ -41,7 +41,7 @@ bool is_full(const std::filesystem::path& folder) {
 /// One run over DDS, from the first process to the last.
 class DdsRun {
  public:
-  explicit DdsRun(const RunRequest& request)
+  explicit DdsRun(const experiment::RunRequest& request)
       : request_{request},
         experiment_{runtime::read_experiment(request.scenario)},
         memory_{request.domain},
@@ -71,17 +71,17 @@ class DdsRun {
   void look();
   /// Of a process that ended by itself. Before the first step the run fails at once: nobody else takes its
   /// place.
-  void take_end(const Ended& one);
+  void take_end(const runtime::Ended& one);
   void check_start(Wall now);
   [[nodiscard]] bool have_last_statuses() const;
-  [[nodiscard]] RunEnd so_far() const;
+  [[nodiscard]] experiment::RunEnd so_far() const;
 
-  const RunRequest& request_;
+  const experiment::RunRequest& request_;
   runtime::ExperimentTable experiment_;
-  SharedMemory memory_;
+  runtime::SharedMemory memory_;
   Observer observer_;
-  RunRecord record_;
-  Children children_;
+  experiment::RunRecord record_;
+  runtime::Children children_;
   Wall began_ = std::chrono::steady_clock::now();
   Wall segments_noted_{};
   Standstill standstill_{began_};
@@ -128,8 +128,8 @@ void DdsRun::start_everybody() {
   std::vector<std::string> of_world = {"--await", kObserverName};
   std::vector<std::string> of_radio;
   if (request_.trace) {
-    of_world.insert(of_world.end(), {"--trace", world_trace_in(*request_.trace)});
-    of_radio = {"--trace", radio_trace_in(*request_.trace)};
+    of_world.insert(of_world.end(), {"--trace", experiment::world_trace_in(*request_.trace)});
+    of_radio = {"--trace", experiment::radio_trace_in(*request_.trace)};
   }
   start("world_server", "world_server", of_world);
   start("radio_emulator", "radio_emulator", of_radio);
@@ -146,7 +146,7 @@ void DdsRun::look() {
   const Wall now = std::chrono::steady_clock::now();
   if (newest_.world_statuses != heard) standstill_.note_world(now);
   if (!newest_.observations.empty()) standstill_.note_step(now);
-  for (const Observation& observation : newest_.observations) record_.observe(observation);
+  for (const experiment::Observation& observation : newest_.observations) record_.observe(observation);
   if (!newest_.observations.empty()) {
     stepped_ = true;
     observer_.give_credit(newest_.observations.back().stamp);
@@ -155,7 +155,7 @@ void DdsRun::look() {
   record_.keep_up([this] { return so_far(); });
 }
 
-void DdsRun::take_end(const Ended& one) {
+void DdsRun::take_end(const runtime::Ended& one) {
   std::string how = one.name + " (pid " + std::to_string(one.pid) + ") " +
                     (one.exit_code > 128 ? "was ended by signal " + std::to_string(one.exit_code - 128)
                                          : "ended with exit code " + std::to_string(one.exit_code)) +
@@ -197,7 +197,7 @@ void DdsRun::follow() {
       return;
     }
     look();
-    for (const Ended& one : children_.ended()) take_end(one);
+    for (const runtime::Ended& one : children_.ended()) take_end(one);
     check_start(now);
     if (const auto why = standstill_.say(now, newest_.world)) std::fprintf(stderr, "%s\n", why->c_str());
     if (const auto why = standstill_.give_up(now, newest_.world); why && failure_.empty()) failure_ = *why;
@@ -221,8 +221,8 @@ bool DdsRun::have_last_statuses() const {
   return !newest_.radio || idl::to_time(newest_.radio->stamp()) >= idl::to_time(newest_.world->stamp());
 }
 
-RunEnd DdsRun::so_far() const {
-  RunEnd end = run_end(newest_.world, newest_.radio, newest_.agents_compute_s);
+experiment::RunEnd DdsRun::so_far() const {
+  experiment::RunEnd end = run_end(newest_.world, newest_.radio, newest_.agents_compute_s);
   end.strangers = newest_.strangers;
   end.interrupted = interrupted_;
   end.failure = failure_;
@@ -243,6 +243,6 @@ int DdsRun::run() {
 
 }  // namespace
 
-int run_dds(const RunRequest& request) { return DdsRun{request}.run(); }
+int run_dds(const experiment::RunRequest& request) { return DdsRun{request}.run(); }
 
 }  // namespace caravan::deploy

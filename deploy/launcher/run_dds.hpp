@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "deploy/experiment/run_request.hpp"
+#include "experiment/run_request.hpp"
 
 namespace caravan::deploy {
 
@@ -10,6 +10,6 @@ namespace caravan::deploy {
 ///
 /// @return the exit code of `caravan run`
 /// @throws runtime::StartError when the processes cannot be started
-[[nodiscard]] int run_dds(const RunRequest& request);
+[[nodiscard]] int run_dds(const experiment::RunRequest& request);
 
 }  // namespace caravan::deploy

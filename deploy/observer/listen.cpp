@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/launcher/listen.hpp"
+#include "deploy/observer/listen.hpp"
 
 #include <utility>
 

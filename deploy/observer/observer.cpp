@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/launcher/observer.hpp"
+#include "deploy/observer/observer.hpp"
 
 #include <utility>
 
@@ -50,7 +50,7 @@ Observer::Observer(const runtime::BusConfig& bus, const std::string& name, std::
       bus_{bus, [this](const runtime::Discovery& news) { readers_.discovered(news); }} {
   credit_ = bus_.writer<msg::RunCreditPubSubType>(idl::kRunCredit);
   readers_.join(bus_);
-  give_credit(Time{0});
+  give_credit(experiment::Time{0});
 }
 
 Observer::~Observer() { bus_.close(); }
@@ -63,7 +63,8 @@ Observer::News Observer::look() {
   const std::lock_guard lock{mutex_};
   News taken = news_;
   taken.observations = book_.take();
-  for (const Observation& step : taken.observations) taken.last_seen = taken.last_seen || step.last;
+  for (const experiment::Observation& step : taken.observations)
+    taken.last_seen = taken.last_seen || step.last;
   taken.agents_compute_s = book_.agents_compute_s();
   taken.strangers = strangers(taken);
   return taken;
@@ -81,7 +82,7 @@ std::vector<std::string> Observer::strangers(const News& news) const {
   return all;
 }
 
-void Observer::give_credit(Time stamp) {
+void Observer::give_credit(experiment::Time stamp) {
   msg::RunCredit credit;
   credit.observer(name_);
   {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "deploy/launcher/listen.hpp"
-#include "deploy/launcher/step_book.hpp"
-#include "deploy/metrics/observation.hpp"
+#include "deploy/observer/listen.hpp"
+#include "deploy/observer/step_book.hpp"
+#include "experiment/metrics/observation.hpp"
 #include "idl/world_types.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/process/loop.hpp"
@@ -23,8 +23,8 @@ class Observer {
  public:
   /// What has been heard since the last look.
   struct News {
-    std::vector<Observation> observations;  ///< whole steps, in order
-    bool last_seen = false;                 ///< the run is decided and its last observation was among them
+    std::vector<experiment::Observation> observations;  ///< whole steps, in order
+    bool last_seen = false;  ///< the run is decided and its last observation was among them
     std::optional<caravan_interfaces::msg::WorldStatus> world;  ///< the newest
     std::uint64_t world_statuses = 0;                           ///< so many were heard by now
     std::optional<caravan_interfaces::msg::RadioStatus> radio;
@@ -42,7 +42,7 @@ class Observer {
   /// Takes what has arrived.
   [[nodiscard]] News look();
   /// Tells the world that everything up to `stamp` is handled.
-  void give_credit(Time stamp);
+  void give_credit(experiment::Time stamp);
 
  private:
   [[nodiscard]] std::vector<std::string> strangers(const News& news) const;

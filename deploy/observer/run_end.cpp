@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/launcher/run_end.hpp"
+#include "deploy/observer/run_end.hpp"
 
 #include <algorithm>
 
 namespace caravan::deploy {
 namespace msg = caravan_interfaces::msg;
 
-RunEnd run_end(const std::optional<msg::WorldStatus>& world, const std::optional<msg::RadioStatus>& radio,
-               double agents_compute_s) {
-  RunEnd end;
+experiment::RunEnd run_end(const std::optional<msg::WorldStatus>& world,
+                           const std::optional<msg::RadioStatus>& radio, double agents_compute_s) {
+  experiment::RunEnd end;
   if (!world) return end;
   end.digest = world->digest();
   end.disturbed = world->disturbed();
   end.wall_time_s = world->wall_s();
   end.refusals.commands_refused = world->refused_commands();
   end.refusals.commands_clamped = world->clamped_commands();
-  TimeSplit& split = end.time_split;
+  experiment::TimeSplit& split = end.time_split;
   split.physics_s = world->physics_s();
   split.sensors_s = world->sensors_s();
   split.agents_s = agents_compute_s;

@@ -3,14 +3,14 @@
 
 #include <optional>
 
-#include "deploy/metrics/run_facts.hpp"
+#include "experiment/metrics/run_facts.hpp"
 #include "idl/world_types.hpp"
 
 namespace caravan::deploy {
 
 /// What the newest statuses say of a run; none: nothing was heard.
-[[nodiscard]] RunEnd run_end(const std::optional<caravan_interfaces::msg::WorldStatus>& world,
-                             const std::optional<caravan_interfaces::msg::RadioStatus>& radio,
-                             double agents_compute_s);
+[[nodiscard]] experiment::RunEnd run_end(const std::optional<caravan_interfaces::msg::WorldStatus>& world,
+                                         const std::optional<caravan_interfaces::msg::RadioStatus>& radio,
+                                         double agents_compute_s);
 
 }  // namespace caravan::deploy

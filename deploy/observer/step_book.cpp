@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/launcher/step_book.hpp"
+#include "deploy/observer/step_book.hpp"
 
 #include <spdlog/spdlog.h>
 
@@ -16,10 +16,10 @@ namespace {
 
 constexpr auto kReportPatience = std::chrono::seconds{10};
 
-Time from_seconds(double seconds) { return Time{std::llround(seconds * 1e9)}; }
+experiment::Time from_seconds(double seconds) { return experiment::Time{std::llround(seconds * 1e9)}; }
 
-Observation to_observation(const msg::WorldTruth& truth) {
-  Observation seen;
+experiment::Observation to_observation(const msg::WorldTruth& truth) {
+  experiment::Observation seen;
   seen.stamp = idl::to_time(truth.stamp());
   for (const msg::RobotTruth& robot : truth.robots()) {
     seen.poses.push_back({robot.robot(), {robot.x_m(), robot.y_m()}, robot.yaw_rad()});
@@ -31,18 +31,19 @@ Observation to_observation(const msg::WorldTruth& truth) {
   for (const msg::ItemEvent& event : truth.item_events()) {
     const bool delivery = event.kind() == msg::ItemEvent_Constants::DELIVERY;
     seen.item_events.push_back(
-        {delivery ? ItemEvent::Kind::kDelivery : ItemEvent::Kind::kPickUp, event.robot()});
+        {delivery ? experiment::ItemEvent::Kind::kDelivery : experiment::ItemEvent::Kind::kPickUp,
+         event.robot()});
   }
   seen.items_delivered = truth.items_delivered();
   return seen;
 }
 
-AgentReport to_report(std::uint32_t robot, const msg::Telemetry& telemetry) {
-  AgentReport report;
+experiment::AgentReport to_report(std::uint32_t robot, const msg::Telemetry& telemetry) {
+  experiment::AgentReport report;
   report.robot = robot;
-  report.mode = static_cast<Mode>(telemetry.mode());
-  report.activity = static_cast<Activity>(telemetry.activity());
-  report.origin = static_cast<Origin>(telemetry.origin());
+  report.mode = static_cast<experiment::Mode>(telemetry.mode());
+  report.activity = static_cast<experiment::Activity>(telemetry.activity());
+  report.origin = static_cast<experiment::Origin>(telemetry.origin());
   report.towards_destination = telemetry.towards_destination();
   report.trips = telemetry.trips();
   report.malformed_frames = telemetry.malformed_frames();
@@ -95,7 +96,7 @@ bool StepBook::may_give_out() {
     if (!waiting_since_) waiting_since_ = now;
     if (now - *waiting_since_ < kReportPatience) return false;
     spdlog::warn("telemetry lost robot={} t={:.3f}: the records go on without it", *missing,
-                 in_seconds(steps_.front().seen.stamp));
+                 experiment::in_seconds(steps_.front().seen.stamp));
   }
   waiting_since_.reset();
   return true;
@@ -103,15 +104,16 @@ bool StepBook::may_give_out() {
 
 void StepBook::give_out() {
   while (may_give_out()) {
-    Observation step = std::move(steps_.front().seen);
+    experiment::Observation step = std::move(steps_.front().seen);
     steps_.pop_front();
     const auto until = reports_.upper_bound(step.stamp);
     for (auto report = reports_.begin(); report != until; ++report) {
       step.agent_reports.push_back(std::move(report->second));
     }
     reports_.erase(reports_.begin(), until);
-    std::stable_sort(step.agent_reports.begin(), step.agent_reports.end(),
-                     [](const AgentReport& a, const AgentReport& b) { return a.robot < b.robot; });
+    std::stable_sort(
+        step.agent_reports.begin(), step.agent_reports.end(),
+        [](const experiment::AgentReport& a, const experiment::AgentReport& b) { return a.robot < b.robot; });
     whole_.push_back(std::move(step));
   }
 }
@@ -121,14 +123,14 @@ void StepBook::add(std::uint32_t robot, const msg::Telemetry& telemetry) {
                         telemetry.activity() <= msg::Telemetry_Constants::ACTIVITY_EXCHANGING &&
                         telemetry.origin() <= msg::Telemetry_Constants::ORIGIN_RECEIVED;
   if (!is_known || !follow_session(telemetry.session())) return;
-  const Time stamp = idl::to_time(telemetry.stamp());
+  const experiment::Time stamp = idl::to_time(telemetry.stamp());
   agent_compute_s_[robot] = telemetry.compute_s();
   heard_until_[robot] = std::max(heard_until_[robot], stamp);
   reports_.emplace(stamp, to_report(robot, telemetry));
   give_out();
 }
 
-std::vector<Observation> StepBook::take() {
+std::vector<experiment::Observation> StepBook::take() {
   give_out();
   return std::exchange(whole_, {});
 }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "deploy/metrics/observation.hpp"
+#include "experiment/metrics/observation.hpp"
 #include "idl/robot_types.hpp"
 #include "idl/world_types.hpp"
 #include "runtime/process/loop.hpp"
@@ -29,14 +29,14 @@ class StepBook {
   /// So many whole steps are here.
   [[nodiscard]] std::size_t whole_steps() const { return whole_.size(); }
   /// Takes them, in order.
-  [[nodiscard]] std::vector<Observation> take();
+  [[nodiscard]] std::vector<experiment::Observation> take();
   [[nodiscard]] std::uint64_t session() const { return session_; }
   /// Wall time that all agents have computed, by what they last said.
   [[nodiscard]] double agents_compute_s() const;
 
  private:
   struct Step {
-    Observation seen;
+    experiment::Observation seen;
     std::vector<std::uint32_t> reported;  ///< in the step before
   };
   void give_out();
@@ -45,13 +45,13 @@ class StepBook {
   [[nodiscard]] bool may_give_out();
 
   std::uint64_t session_ = 0;
-  std::deque<Step> steps_;                           // not whole yet, the newest last
-  std::vector<Observation> whole_;                   // not taken yet
-  std::vector<std::uint32_t> members_;               // by the newest truth
-  std::optional<runtime::WallTime> waiting_since_;   // for a report
-  std::multimap<Time, AgentReport> reports_;         // of steps that are not whole
-  std::map<std::uint32_t, Time> heard_until_;        // each robot's newest report
-  std::map<std::uint32_t, double> agent_compute_s_;  // of every robot that has been heard
+  std::deque<Step> steps_;                                            // not whole yet, the newest last
+  std::vector<experiment::Observation> whole_;                        // not taken yet
+  std::vector<std::uint32_t> members_;                                // by the newest truth
+  std::optional<runtime::WallTime> waiting_since_;                    // for a report
+  std::multimap<experiment::Time, experiment::AgentReport> reports_;  // of steps that are not whole
+  std::map<std::uint32_t, experiment::Time> heard_until_;             // each robot's newest report
+  std::map<std::uint32_t, double> agent_compute_s_;                   // of every robot that has been heard
 };
 
 }  // namespace caravan::deploy

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/embedded/convert.hpp"
+#include "experiment/embedded/convert.hpp"
 
 #include <utility>
 
 #include "world_server/referee/sanitise.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 Mode to_mode(agent::Mode mode) { return mode == agent::Mode::kTransport ? Mode::kTransport : Mode::kExplore; }
@@ -106,4 +106,4 @@ AgentReport to_report(std::uint32_t robot, const agent::Report& report) {
   return result;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

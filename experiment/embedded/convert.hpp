@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "deploy/metrics/observation.hpp"
-#include "deploy/metrics/run_facts.hpp"
+#include "experiment/metrics/observation.hpp"
+#include "experiment/metrics/run_facts.hpp"
 #include "radio_emulator/medium/medium.hpp"
 #include "robot_agent/core/types.hpp"
 #include "world_server/types.hpp"
 
 /// From one core's values to the other's: what the topics do between processes. Byte strings are moved.
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 [[nodiscard]] agent::Sensors to_sensors(const world::Senses& senses);
 /// @param wheel_limit_mps  the world's: faster wheels are told to turn that fast, undefined ones to stop
@@ -23,4 +23,4 @@ namespace caravan::deploy {
 [[nodiscard]] std::vector<agent::ReceivedFrame> to_heard(radio::Reception& reception);
 [[nodiscard]] AgentReport to_report(std::uint32_t robot, const agent::Report& report);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/embedded/engine.hpp"
+#include "experiment/embedded/engine.hpp"
 
 #include <utility>
 
-#include "deploy/embedded/convert.hpp"
-#include "deploy/embedded/stopwatch.hpp"
+#include "experiment/embedded/convert.hpp"
+#include "experiment/embedded/stopwatch.hpp"
 #include "radio_emulator/config/radio_config.hpp"
 #include "radio_emulator/medium/chain.hpp"
 #include "robot_agent/config/agent_config.hpp"
 #include "runtime/pure/assert.hpp"
 #include "runtime/pure/digest.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 Engine::Engine(const runtime::TomlDocument& scenario)
     : world_{world::load_world_config(scenario)}, medium_{radio::load_radio_config(scenario)} {
@@ -111,4 +111,4 @@ Refusals Engine::refusals() const {
 
 std::string Engine::digest() const { return pure::digest(world_.chain(), radio_chain_.value()); }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "deploy/metrics/observation.hpp"
-#include "deploy/metrics/run_facts.hpp"
+#include "experiment/metrics/observation.hpp"
+#include "experiment/metrics/run_facts.hpp"
 #include "radio_emulator/medium/medium.hpp"
 #include "robot_agent/core/agent.hpp"
 #include "runtime/config/toml_table.hpp"
@@ -15,7 +15,7 @@
 #include "runtime/pure/hash_chain.hpp"
 #include "world_server/world.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// World, air and agents of one scenario in one process, stepped together exactly as the processes are in
 /// lockstep: everybody senses, every agent answers, the frames are delivered with the poses of the same
@@ -65,4 +65,4 @@ class Engine {
   Observation observation_;
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/embedded/run_embedded.hpp"
+#include "experiment/embedded/run_embedded.hpp"
 
 #include <cstdio>
 
-#include "deploy/embedded/engine.hpp"
-#include "deploy/embedded/stopwatch.hpp"
-#include "deploy/metrics/run_record.hpp"
+#include "experiment/embedded/engine.hpp"
+#include "experiment/embedded/stopwatch.hpp"
+#include "experiment/metrics/run_record.hpp"
 #include "runtime/config/write_error.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 #include "runtime/trace/trace_file.hpp"
 #include "world_server/physics/physics_error.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -102,4 +102,4 @@ int run_embedded(const RunRequest& request) {
   return record.close(end);
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "deploy/experiment/run_request.hpp"
+#include "experiment/run_request.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Runs the experiment with all cores in this process, as fast as it goes (or at the clock when its pacing is
 /// realtime or free: here the two are the same), and stays until it is over.
@@ -12,4 +12,4 @@ namespace caravan::deploy {
 /// @throws runtime::StartError
 [[nodiscard]] int run_embedded(const RunRequest& request);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

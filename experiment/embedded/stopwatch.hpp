@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Wall time from lap to lap.
 class Stopwatch {
@@ -21,4 +21,4 @@ class Stopwatch {
   Clock::time_point last_ = Clock::now();
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/activity_account.hpp"
+#include "experiment/metrics/activity_account.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 constexpr Time kWindow = std::chrono::seconds{60};
@@ -68,4 +68,4 @@ ActivityTimes ActivityAccount::times() const {
   return rest.settled_;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -4,9 +4,9 @@
 #include <array>
 #include <deque>
 
-#include "deploy/metrics/observation.hpp"
+#include "experiment/metrics/observation.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Where one robot's simulated time went. The first five add up to all the time accounted for, to the
 /// nanosecond.
@@ -52,4 +52,4 @@ class ActivityAccount {
   Time stuck_run_{0};
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

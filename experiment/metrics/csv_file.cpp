@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/csv_file.hpp"
+#include "experiment/metrics/csv_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 #include "runtime/config/start_error.hpp"
 #include "runtime/config/write_error.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 std::string quoted(const std::string& field) {
@@ -90,4 +90,4 @@ std::size_t CsvFile::take_back(std::size_t bytes) const {
   return ftruncate(descriptor_, facts.st_size - static_cast<off_t>(bytes)) == 0 ? bytes : 0;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

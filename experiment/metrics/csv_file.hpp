@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// A number with a fixed count of decimals.
 [[nodiscard]] std::string fixed(double value, int decimals);
@@ -42,4 +42,4 @@ class CsvFile {
   std::string pending_;  // rows that are not in the file yet
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/event_book.hpp"
+#include "experiment/metrics/event_book.hpp"
 
 #include <algorithm>
 
-#include "deploy/metrics/csv_file.hpp"
+#include "experiment/metrics/csv_file.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 std::string seconds(Time time) { return fixed(in_seconds(time), 3); }
@@ -55,4 +55,4 @@ void EventBook::add_membership(const Observation& observation, std::vector<Event
   seen_members_ = true;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

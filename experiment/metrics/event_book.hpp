@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "deploy/metrics/observation.hpp"
+#include "experiment/metrics/observation.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// A row of events.csv.
 struct EventRow {
@@ -33,4 +33,4 @@ class EventBook {
   bool seen_members_ = false;
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

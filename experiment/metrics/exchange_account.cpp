@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/exchange_account.hpp"
+#include "experiment/metrics/exchange_account.hpp"
 
 #include <algorithm>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 constexpr Time kSameSession = std::chrono::seconds{60};
@@ -35,4 +35,4 @@ double ExchangeAccount::mean_duration_s() const {
   return reports_ == 0 ? 0.0 : in_seconds(stood_) / static_cast<double>(reports_);
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -4,9 +4,9 @@
 #include <map>
 #include <tuple>
 
-#include "deploy/metrics/observation.hpp"
+#include "experiment/metrics/observation.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Counts the exchanges of a run out of what the robots report of them.
 ///
@@ -35,4 +35,4 @@ class ExchangeAccount {
   Time stood_{0};
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/metrics.hpp"
+#include "experiment/metrics/metrics.hpp"
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
-#include "deploy/metrics/routes.hpp"
+#include "experiment/metrics/routes.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 Metrics::Metrics(std::uint32_t robots) : robots_(robots), paths_(robots) {}
 
@@ -106,4 +106,4 @@ Progress Metrics::progress() const {
           .exchanges_failed = exchanges_.failed()};
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "deploy/metrics/activity_account.hpp"
-#include "deploy/metrics/exchange_account.hpp"
-#include "deploy/metrics/observation.hpp"
-#include "deploy/metrics/trip_book.hpp"
+#include "experiment/metrics/activity_account.hpp"
+#include "experiment/metrics/exchange_account.hpp"
+#include "experiment/metrics/observation.hpp"
+#include "experiment/metrics/trip_book.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// What a run came to for one robot.
 struct RobotResult {
@@ -89,4 +89,4 @@ class Metrics {
   std::uint64_t round_trip_count_ = 0;
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

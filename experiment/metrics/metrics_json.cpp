@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/metrics_json.hpp"
+#include "experiment/metrics/metrics_json.hpp"
 
 #include <nlohmann/json.hpp>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -73,4 +73,4 @@ std::string metrics_json(const RunFacts& facts, const Result& result, const RunE
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

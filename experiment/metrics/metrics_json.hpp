@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "deploy/metrics/metrics.hpp"
-#include "deploy/metrics/run_facts.hpp"
+#include "experiment/metrics/metrics.hpp"
+#include "experiment/metrics/run_facts.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// The text of metrics.json. Its keys are a contract with tools outside: keys are added, never renamed.
 ///
@@ -14,4 +14,4 @@ namespace caravan::deploy {
 [[nodiscard]] std::string metrics_json(const RunFacts& facts, const Result& result, const RunEnd& end,
                                        bool ended = true);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

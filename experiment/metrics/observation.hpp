@@ -8,7 +8,7 @@
 
 /// What an observer sees of a run, whichever engine drives it: values of their own, so that neither the agent
 /// nor the world is known here.
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Simulated time since the session began.
 using Time = std::chrono::nanoseconds;
@@ -87,4 +87,4 @@ struct Observation {
   std::vector<AgentReport> agent_reports;  ///< at most one for each robot, sorted by robot
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

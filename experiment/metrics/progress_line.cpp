@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/progress_line.hpp"
+#include "experiment/metrics/progress_line.hpp"
 
 #include <unistd.h>
 
-#include "deploy/metrics/csv_file.hpp"
+#include "experiment/metrics/csv_file.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 constexpr std::chrono::milliseconds kOnTerminal{250};
@@ -45,4 +45,4 @@ void ProgressLine::close() {
   line_open_ = false;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

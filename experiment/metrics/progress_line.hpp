@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <string>
 
-#include "deploy/metrics/metrics.hpp"
-#include "deploy/metrics/run_facts.hpp"
+#include "experiment/metrics/metrics.hpp"
+#include "experiment/metrics/run_facts.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// The text of one progress line.
 ///
@@ -37,4 +37,4 @@ class ProgressLine {
   Time shown_stamp_{0};
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

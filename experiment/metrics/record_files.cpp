@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/record_files.hpp"
+#include "experiment/metrics/record_files.hpp"
 
 #include <optional>
 
-#include "deploy/metrics/routes.hpp"
+#include "experiment/metrics/routes.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 constexpr Time kTrackPeriod = std::chrono::seconds{1};
@@ -96,4 +96,4 @@ void RecordFiles::finish() {
   for (const Trip& trip : trip_book_.open()) record_trip(trip);
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

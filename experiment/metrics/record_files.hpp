@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "deploy/metrics/csv_file.hpp"
-#include "deploy/metrics/event_book.hpp"
-#include "deploy/metrics/observation.hpp"
-#include "deploy/metrics/trip_book.hpp"
+#include "experiment/metrics/csv_file.hpp"
+#include "experiment/metrics/event_book.hpp"
+#include "experiment/metrics/observation.hpp"
+#include "experiment/metrics/trip_book.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// tracks.csv, trips.csv, events.csv, activities.csv and path_lengths.csv of a run, written while it goes on.
 /// docs/outputs.md has the columns.
@@ -47,4 +47,4 @@ class RecordFiles {
   Time next_track_{0};
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/result_table.hpp"
+#include "experiment/metrics/result_table.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "deploy/metrics/csv_file.hpp"
+#include "experiment/metrics/csv_file.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 std::string right(const std::string& text, std::size_t width) {
@@ -100,4 +100,4 @@ std::string result_table(const RunFacts& facts, const Result& result, const RunE
   return text + "(times in simulated minutes:seconds)\n";
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/routes.hpp"
+#include "experiment/metrics/routes.hpp"
 
 #include <cmath>
 #include <numeric>
 
 #include "runtime/pure/assert.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 constexpr double kSameRoute_m = 3.0;
@@ -98,4 +98,4 @@ std::size_t count_routes(std::span<const std::vector<Place>> paths) {
   return routes;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "deploy/metrics/observation.hpp"
+#include "experiment/metrics/observation.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Sum of the lengths of the segments, metres.
 [[nodiscard]] double path_length_m(std::span<const Place> path);
@@ -26,4 +26,4 @@ namespace caravan::deploy {
 /// no route.
 [[nodiscard]] std::size_t count_routes(std::span<const std::vector<Place>> paths);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/run_directory.hpp"
+#include "experiment/metrics/run_directory.hpp"
 
 #include <array>
 #include <cerrno>
@@ -10,7 +10,7 @@
 #include "runtime/config/start_error.hpp"
 #include "runtime/config/write_error.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,4 +67,4 @@ void write_whole_file(const fs::path& file, const std::string& text) {
   throw runtime::cannot_write(file, error ? error.value() : reason);
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

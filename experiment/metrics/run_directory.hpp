@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "deploy/metrics/run_facts.hpp"
+#include "experiment/metrics/run_facts.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Makes the folder that a run writes to; never one that holds something already.
 ///
@@ -21,4 +21,4 @@ namespace caravan::deploy {
 /// @throws runtime::WriteError when it cannot be written; the old text stays
 void write_whole_file(const std::filesystem::path& file, const std::string& text);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

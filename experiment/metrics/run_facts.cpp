@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/run_facts.hpp"
+#include "experiment/metrics/run_facts.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 Outcome outcome_of(const RunFacts& facts, const RunEnd& end, std::uint32_t items_delivered, Time sim_time) {
   if (!end.failure.empty()) return Outcome::kFailed;
@@ -15,4 +15,4 @@ int exit_code_of(Outcome outcome) {
   return outcome == Outcome::kInterrupted ? 130 : 1;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

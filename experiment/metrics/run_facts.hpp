@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "deploy/metrics/observation.hpp"
+#include "experiment/metrics/observation.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// What is known of a run before it begins.
 struct RunFacts {
@@ -60,4 +60,4 @@ enum class Outcome : std::uint8_t { kCompleted, kTimeOver, kInterrupted, kFailed
 /// 0, 1 or 130: what `caravan run` exits with.
 [[nodiscard]] int exit_code_of(Outcome outcome);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/run_record.hpp"
+#include "experiment/metrics/run_record.hpp"
 
 #include <utility>
 
-#include "deploy/metrics/metrics_json.hpp"
-#include "deploy/metrics/result_table.hpp"
-#include "deploy/metrics/run_directory.hpp"
+#include "experiment/metrics/metrics_json.hpp"
+#include "experiment/metrics/result_table.hpp"
+#include "experiment/metrics/run_directory.hpp"
 #include "runtime/config/write_error.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 /// Below the second that is promised, so that a late call still keeps it.
@@ -95,4 +95,4 @@ int RunRecord::close(RunEnd end) {
   return exit_code_of(outcome_of(facts_, end, result.items_delivered, result.sim_time));
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

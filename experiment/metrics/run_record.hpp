@@ -6,13 +6,13 @@
 #include <functional>
 #include <string>
 
-#include "deploy/metrics/metrics.hpp"
-#include "deploy/metrics/progress_line.hpp"
-#include "deploy/metrics/record_files.hpp"
-#include "deploy/metrics/run_facts.hpp"
-#include "deploy/metrics/spare_room.hpp"
+#include "experiment/metrics/metrics.hpp"
+#include "experiment/metrics/progress_line.hpp"
+#include "experiment/metrics/record_files.hpp"
+#include "experiment/metrics/run_facts.hpp"
+#include "experiment/metrics/spare_room.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Everything that an engine does with its observations: metrics, the files of the run and the progress line.
 ///
@@ -54,4 +54,4 @@ class RunRecord {
   ProgressLine::Clock::time_point flushed_;
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

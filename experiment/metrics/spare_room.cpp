@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/spare_room.hpp"
+#include "experiment/metrics/spare_room.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 SpareRoom::SpareRoom(const std::filesystem::path& folder, std::uint64_t bytes)
     : descriptor_{open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600)} {
@@ -16,4 +16,4 @@ void SpareRoom::release() {
   descriptor_ = -1;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Room on a disk that is kept free for last words: a file without a name, gone with this process at the
 /// latest. On file systems that know no such files, and on disks without so much room, nothing is kept.
@@ -22,4 +22,4 @@ class SpareRoom {
   int descriptor_;  // below 0: nothing is kept
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

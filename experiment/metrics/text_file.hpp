@@ -9,7 +9,7 @@
 
 #include "runtime/config/start_error.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Everything that a file says; none when there is none.
 /// @throws runtime::StartError when something of this name is there that cannot be read as a file of ours: a
@@ -30,4 +30,4 @@ namespace caravan::deploy {
   return std::string{std::istreambuf_iterator<char>{in}, {}};
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/trip_book.hpp"
+#include "experiment/metrics/trip_book.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 std::optional<Trip> TripBook::add(Time stamp, const ItemEvent& event) {
   const auto known = open_.find(event.robot);
@@ -25,4 +25,4 @@ std::vector<Trip> TripBook::open() const {
   return trips;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

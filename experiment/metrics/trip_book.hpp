@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "deploy/metrics/observation.hpp"
+#include "experiment/metrics/observation.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// One item of one robot: from picking it up to picking up the next.
 struct Trip {
@@ -30,4 +30,4 @@ class TripBook {
   std::map<std::uint32_t, Trip> open_;
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

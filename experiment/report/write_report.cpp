@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/report/write_report.hpp"
+#include "experiment/report/write_report.hpp"
 
 #include <spawn.h>
 #include <sys/wait.h>
@@ -16,7 +16,7 @@
 #include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 namespace fs = std::filesystem;
@@ -30,10 +30,10 @@ constexpr const char* kPython = "/usr/bin/python3";
 fs::path drawing_program() {
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   for (const fs::path& tree : {here / "../../..", fs::path{CARAVAN_SOURCE_TREE}}) {
-    const fs::path program = tree / "deploy/report/report.py";
+    const fs::path program = tree / "experiment/report/report.py";
     if (fs::is_regular_file(program)) return program.lexically_normal();
   }
-  throw runtime::StartError{"caravan report: deploy/report/report.py is not where it was built"};
+  throw runtime::StartError{"caravan report: experiment/report/report.py is not where it was built"};
 }
 
 /// Starts it with no signal blocked, so that Ctrl-C ends it.
@@ -90,4 +90,4 @@ int write_report(const std::vector<fs::path>& folders, const std::optional<fs::p
   return WTERMSIG(status) == SIGINT || WTERMSIG(status) == SIGTERM ? runtime::kInterrupted : runtime::kFailed;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
-/// `caravan report`: has the drawing program in deploy/report/ write the report of recorded runs and waits
-/// for it.
+/// `caravan report`: has the drawing program in experiment/report/ write the report of recorded runs and
+/// waits for it.
 ///
 /// @param folders  of runs, or folders that hold some
 /// @param out      where to; none: report/ in the first folder
@@ -17,4 +17,4 @@ namespace caravan::deploy {
 [[nodiscard]] int write_report(const std::vector<std::filesystem::path>& folders,
                                const std::optional<std::filesystem::path>& out);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/five_numbers.hpp"
+#include "experiment/sweep/five_numbers.hpp"
 
 #include <algorithm>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 /// @pre the sample is sorted and not empty. `quarters` of 4.
@@ -28,4 +28,4 @@ std::optional<FiveNumbers> five_numbers(std::vector<double> sample) {
                      .maximum = sample.back()};
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// What a box plot shows of a sample.
 struct FiveNumbers {
@@ -24,4 +24,4 @@ struct FiveNumbers {
 /// @return none for an empty sample
 [[nodiscard]] std::optional<FiveNumbers> five_numbers(std::vector<double> sample);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/modes.hpp"
+#include "experiment/sweep/modes.hpp"
 
 #include <algorithm>
 
 #include "runtime/config/start_error.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 std::vector<std::string> parts_of(const std::string& text) {
@@ -36,4 +36,4 @@ std::vector<std::string> read_modes(const std::string& text) {
   return modes;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

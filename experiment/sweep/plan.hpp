@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// One run of a sweep.
 struct PlannedRun {
@@ -30,4 +30,4 @@ struct SweepPlan {
   return std::filesystem::path{run.mode} / ("seed_" + std::to_string(run.seed));
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

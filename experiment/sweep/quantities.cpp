@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/quantities.hpp"
+#include "experiment/sweep/quantities.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 using Json = nlohmann::json;
@@ -117,4 +117,4 @@ std::vector<std::optional<double>> values_in(const Json& metrics) {
   return values;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// A number that each run comes to: a column of runs.csv, and a row of summary.csv.
 struct Quantity {
@@ -23,4 +23,4 @@ struct Quantity {
 /// @throws std::exception when something is missing or of another kind
 [[nodiscard]] std::vector<std::optional<double>> values_in(const nlohmann::json& metrics);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

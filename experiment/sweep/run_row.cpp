@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/run_row.hpp"
+#include "experiment/sweep/run_row.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "deploy/metrics/run_directory.hpp"
-#include "deploy/metrics/text_file.hpp"
-#include "deploy/sweep/quantities.hpp"
+#include "experiment/metrics/run_directory.hpp"
+#include "experiment/metrics/text_file.hpp"
+#include "experiment/sweep/quantities.hpp"
 #include "runtime/config/start_error.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ void note_failure(const fs::path& sweep_folder, const PlannedRun& run, const std
   write_whole_file(folder / kFailureFile, reason);
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

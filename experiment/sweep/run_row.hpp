@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "deploy/sweep/plan.hpp"
+#include "experiment/sweep/plan.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 enum class RunState : std::uint8_t {
   kPending,  ///< not run yet, or ended half way: it is to be run
@@ -39,4 +39,4 @@ struct RunRow {
 void note_failure(const std::filesystem::path& sweep_folder, const PlannedRun& run,
                   const std::string& reason);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/run_sweep.hpp"
+#include "experiment/sweep/run_sweep.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -9,18 +9,18 @@
 #include <deque>
 #include <map>
 
-#include "deploy/launcher/children.hpp"
-#include "deploy/metrics/csv_file.hpp"
-#include "deploy/metrics/text_file.hpp"
-#include "deploy/sweep/quantities.hpp"
-#include "deploy/sweep/run_row.hpp"
-#include "deploy/sweep/sweep_folder.hpp"
-#include "deploy/sweep/sweep_progress.hpp"
-#include "deploy/sweep/sweep_tables.hpp"
+#include "experiment/metrics/csv_file.hpp"
+#include "experiment/metrics/text_file.hpp"
+#include "experiment/sweep/quantities.hpp"
+#include "experiment/sweep/run_row.hpp"
+#include "experiment/sweep/sweep_folder.hpp"
+#include "experiment/sweep/sweep_progress.hpp"
+#include "experiment/sweep/sweep_tables.hpp"
 #include "runtime/config/start_error.hpp"
+#include "runtime/host/children.hpp"
 #include "runtime/process/run_process.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,14 +75,14 @@ class Sweep {
   void look_at_all();
   void do_runs();
   void start(std::size_t index);
-  void settle(const Ended& ended);
+  void settle(const runtime::Ended& ended);
   void stop();
   /// A batch system tells a whole job to stop at once, and a run may be the first to do so.
-  [[nodiscard]] bool was_interrupted_with_us(const Ended& ended) const {
+  [[nodiscard]] bool was_interrupted_with_us(const runtime::Ended& ended) const {
     return ended.exit_code == runtime::kInterrupted &&
            request_.loop.wait(std::chrono::steady_clock::now() + 500ms) == runtime::Loop::Woken::kStop;
   }
-  [[nodiscard]] std::string why(const Ended& ended) const;
+  [[nodiscard]] std::string why(const runtime::Ended& ended) const;
   [[nodiscard]] fs::path log_of(const std::string& name) const {
     return request_.folder / "logs" / (name + ".log");
   }
@@ -101,7 +101,7 @@ class Sweep {
   double ended_took_s_ = 0.0;
   bool interrupted_ = false;
   SweepProgress progress_;
-  Children children_;
+  runtime::Children children_;
 };
 
 void Sweep::look_at_all() {
@@ -152,7 +152,7 @@ void Sweep::start(std::size_t index) {
   rows_[index].state = RunState::kRunning;
 }
 
-std::string Sweep::why(const Ended& ended) const {
+std::string Sweep::why(const runtime::Ended& ended) const {
   const std::string said = last_line(text_in(log_of(ended.name)).value_or(""));
   std::string how = "exit code " + std::to_string(ended.exit_code);
   if (ended.exit_code == runtime::kInterrupted) {
@@ -164,7 +164,7 @@ std::string Sweep::why(const Ended& ended) const {
   return said.empty() ? how : how + ": " + said;
 }
 
-void Sweep::settle(const Ended& ended) {
+void Sweep::settle(const runtime::Ended& ended) {
   const Running running = running_.at(ended.name);
   running_.erase(ended.name);
   const PlannedRun& run = plan_.runs[running.index];
@@ -188,7 +188,7 @@ void Sweep::settle(const Ended& ended) {
 void Sweep::stop() {
   interrupted_ = true;
   children_.stop(kStopPatience);
-  for (const Ended& ended : children_.ended()) settle(ended);
+  for (const runtime::Ended& ended : children_.ended()) settle(ended);
 }
 
 void Sweep::do_runs() {
@@ -201,8 +201,8 @@ void Sweep::do_runs() {
     if (request_.loop.wait(std::chrono::steady_clock::now() + 1s) == runtime::Loop::Woken::kStop) {
       return stop();
     }
-    const std::vector<Ended> ended = children_.ended();
-    for (const Ended& one : ended) {
+    const std::vector<runtime::Ended> ended = children_.ended();
+    for (const runtime::Ended& one : ended) {
       if (was_interrupted_with_us(one)) interrupted_ = true;
       settle(one);
     }
@@ -249,4 +249,4 @@ int run_sweep(const SweepRequest& request) {
   return Sweep{request}.run();
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "deploy/sweep/plan.hpp"
+#include "experiment/sweep/plan.hpp"
 #include "runtime/process/loop.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// A sweep as the command line asked for it, checked.
 struct SweepRequest {
@@ -31,4 +31,4 @@ struct SweepRequest {
 /// @throws std::runtime_error when a file cannot be written any more
 [[nodiscard]] int run_sweep(const SweepRequest& request);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

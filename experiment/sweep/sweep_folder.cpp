@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/sweep_folder.hpp"
+#include "experiment/sweep/sweep_folder.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -12,10 +12,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "deploy/metrics/text_file.hpp"
+#include "experiment/metrics/text_file.hpp"
 #include "runtime/config/start_error.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 namespace fs = std::filesystem;
@@ -130,4 +130,4 @@ SweepFolder::Lock::~Lock() {
   if (file_ >= 0) close(file_);
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

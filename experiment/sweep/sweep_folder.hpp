@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "deploy/sweep/plan.hpp"
+#include "experiment/sweep/plan.hpp"
 #include "runtime/process/loop.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Who works on a sweep's folder. Any number of tasks may do so at the same time; a whole sweep only alone.
 enum class Claim : std::uint8_t {
@@ -56,4 +56,4 @@ class SweepFolder {
   std::vector<Lock> locks_;
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

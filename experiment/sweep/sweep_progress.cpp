@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/sweep_progress.hpp"
+#include "experiment/sweep/sweep_progress.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 constexpr std::size_t kBarWidth = 20;
@@ -66,4 +66,4 @@ void SweepProgress::close() {
   shown_.clear();
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// How far a sweep is.
 struct SweepCount {
@@ -48,4 +48,4 @@ class SweepProgress {
   std::string shown_;
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/sweep_tables.hpp"
+#include "experiment/sweep/sweep_tables.hpp"
 
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "deploy/metrics/csv_file.hpp"
-#include "deploy/metrics/run_directory.hpp"
-#include "deploy/sweep/five_numbers.hpp"
-#include "deploy/sweep/quantities.hpp"
+#include "experiment/metrics/csv_file.hpp"
+#include "experiment/metrics/run_directory.hpp"
+#include "experiment/sweep/five_numbers.hpp"
+#include "experiment/sweep/quantities.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -151,4 +151,4 @@ void write_tables(const std::filesystem::path& folder, const SweepPlan& plan, st
   write_whole_file(folder / "sweep.json", sweep_json(plan, rows, state));
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -5,10 +5,10 @@
 #include <span>
 #include <string>
 
-#include "deploy/sweep/plan.hpp"
-#include "deploy/sweep/run_row.hpp"
+#include "experiment/sweep/plan.hpp"
+#include "experiment/sweep/run_row.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// How far a sweep has come.
 enum class SweepState : std::uint8_t {
@@ -34,4 +34,4 @@ enum class SweepState : std::uint8_t {
 void write_tables(const std::filesystem::path& folder, const SweepPlan& plan, std::span<const RunRow> rows,
                   SweepState state);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

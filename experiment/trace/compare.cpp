@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/trace/compare.hpp"
+#include "experiment/trace/compare.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 const std::string kNone = "none";
@@ -140,4 +140,4 @@ std::vector<Difference> differences(const TracedStep& one, const TracedStep& oth
   return found;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

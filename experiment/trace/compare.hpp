@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "deploy/trace/steps.hpp"
+#include "experiment/trace/steps.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// A value that is not the same in two runs, to the last bit.
 struct Difference {
@@ -28,4 +28,4 @@ struct TracedStep {
 /// robot.
 [[nodiscard]] std::vector<Difference> differences(const TracedStep& one, const TracedStep& other);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/trace/diff_runs.hpp"
+#include "experiment/trace/diff_runs.hpp"
 
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 
-#include "deploy/experiment/run_request.hpp"
-#include "deploy/metrics/csv_file.hpp"
-#include "deploy/metrics/text_file.hpp"
-#include "deploy/trace/compare.hpp"
-#include "deploy/trace/trace_reader.hpp"
+#include "experiment/metrics/csv_file.hpp"
+#include "experiment/metrics/text_file.hpp"
+#include "experiment/run_request.hpp"
+#include "experiment/trace/compare.hpp"
+#include "experiment/trace/trace_reader.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/pure/digest.hpp"
 #include "runtime/pure/hash_chain.hpp"
 #include "runtime/trace/trace_file.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 namespace fs = std::filesystem;
@@ -142,4 +142,4 @@ int diff_runs(const fs::path& one, const fs::path& other, std::FILE* out) {
   return 0;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Compares what two runs recorded with `--trace`, step by step, and names the first step, robot and quantity
 /// in which they differ, with both values. Of a killed run it takes the whole steps.
@@ -15,4 +15,4 @@ namespace caravan::deploy {
 [[nodiscard]] int diff_runs(const std::filesystem::path& one, const std::filesystem::path& other,
                             std::FILE* out);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/trace/steps.hpp"
+#include "experiment/trace/steps.hpp"
 
 #include <bit>
 #include <stdexcept>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 /// Takes values off the front of a step.
@@ -99,4 +99,4 @@ RadioStep read_radio_step(std::span<const std::uint8_t> bytes) {
   return step;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

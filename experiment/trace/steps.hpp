@@ -7,7 +7,7 @@
 #include <vector>
 
 /// One step of a run as docs/digest.md lays it out in bytes.
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 struct TracedCommand {
   bool given = false;  ///< false: none came, the wheels were stopped
@@ -57,4 +57,4 @@ struct RadioStep {
 /// @throws std::runtime_error when the bytes are not exactly one step
 [[nodiscard]] RadioStep read_radio_step(std::span<const std::uint8_t> bytes);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/trace/trace_reader.hpp"
+#include "experiment/trace/trace_reader.hpp"
 
 #include <array>
 #include <charconv>
@@ -8,7 +8,7 @@
 #include "runtime/config/start_error.hpp"
 #include "runtime/trace/trace_file.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 /// A step of a thousand robots has some hundred kilobytes.
@@ -47,4 +47,4 @@ bool TraceReader::next(std::vector<std::uint8_t>& step) {
   return !cut_off_;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Reads what runtime::TraceFile wrote, step by step.
 class TraceReader {
@@ -30,4 +30,4 @@ class TraceReader {
   bool cut_off_ = false;
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/launcher/children.hpp"
+#include "runtime/host/children.hpp"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -14,7 +14,7 @@
 
 #include "runtime/config/start_error.hpp"
 
-namespace caravan::deploy {
+namespace caravan::runtime {
 namespace {
 
 /// In the child between fork and exec: nothing but system calls.
@@ -60,7 +60,7 @@ Children::~Children() {
 void Children::start(const std::string& name, const std::vector<std::string>& command_line) {
   const std::string log_file = log_folder_ / (name + ".log");
   const int log = open(log_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (log < 0) throw runtime::StartError{log_file + ": " + std::strerror(errno)};
+  if (log < 0) throw StartError{log_file + ": " + std::strerror(errno)};
   std::vector<std::string> words = command_line;
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -71,7 +71,7 @@ void Children::start(const std::string& name, const std::vector<std::string>& co
     const pid_t pid = fork();
     if (pid == 0) become(arguments, log, parent, shared_);
     close(log);
-    if (pid < 0) throw runtime::StartError{"cannot start " + name + ": " + std::strerror(errno)};
+    if (pid < 0) throw StartError{"cannot start " + name + ": " + std::strerror(errno)};
     running_[pid] = name;
   }
   started_.notify_all();
@@ -140,4 +140,4 @@ std::vector<std::string> Children::stop(std::chrono::milliseconds patience) {
   return killed;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::runtime

@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-namespace caravan::deploy {
+namespace caravan::runtime {
 
 /// How a child ended.
 struct Ended {
@@ -66,4 +66,4 @@ class Children {
   std::thread waiter_;
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::runtime

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -9,13 +9,13 @@
 #include <string>
 #include <utility>
 
-#include "deploy/launcher/domain_users.hpp"
-#include "deploy/launcher/shared_memory.hpp"
 #include "runtime/bus/local_names.hpp"
 #include "runtime/bus/place.hpp"
 #include "runtime/config/start_error.hpp"
+#include "runtime/host/domain_users.hpp"
+#include "runtime/host/shared_memory.hpp"
 
-namespace caravan::deploy {
+namespace caravan::runtime {
 namespace {
 
 // Low domains are what people type by hand; 232 is DDS's last.
@@ -36,12 +36,12 @@ bool has_udp_port(std::uint32_t domain) {
 }
 
 bool is_in_use(std::uint32_t domain) {
-  return has_living_ports(domain) || !runtime::places_in(domain).empty() || has_udp_port(domain);
+  return has_living_ports(domain) || !places_in(domain).empty() || has_udp_port(domain);
 }
 
 [[noreturn]] void refuse(std::uint32_t domain, const std::string& why) {
-  throw runtime::StartError{"DDS domain " + std::to_string(domain) + ": " + why +
-                            "; choose another --domain, or none to be given a free one"};
+  throw StartError{"DDS domain " + std::to_string(domain) + ": " + why +
+                   "; choose another --domain, or none to be given a free one"};
 }
 
 }  // namespace
@@ -59,8 +59,8 @@ DomainLock::DomainLock(std::optional<std::uint32_t> wanted) {
     }
     unlock();  // somebody who takes no locks works here
   }
-  throw runtime::StartError{"no free DDS domain: every one from " + std::to_string(kFirst) + " to " +
-                            std::to_string(kLast) + " is in use"};
+  throw StartError{"no free DDS domain: every one from " + std::to_string(kFirst) + " to " +
+                   std::to_string(kLast) + " is in use"};
 }
 
 DomainLock::~DomainLock() { unlock(); }
@@ -80,9 +80,9 @@ void DomainLock::take(std::uint32_t wanted) {
 }
 
 bool DomainLock::lock(std::uint32_t domain) {
-  sockets_[0] = runtime::hold_local_name(lock_name(domain));
+  sockets_[0] = hold_local_name(lock_name(domain));
   if (sockets_[0] < 0) return false;
-  sockets_[1] = runtime::hold_local_name(holder_name(domain, {getpid(), geteuid(), std::time(nullptr)}));
+  sockets_[1] = hold_local_name(holder_name(domain, {getpid(), geteuid(), std::time(nullptr)}));
   return true;
 }
 
@@ -92,4 +92,4 @@ void DomainLock::unlock() {
   }
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::runtime

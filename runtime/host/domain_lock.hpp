@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace caravan::deploy {
+namespace caravan::runtime {
 
 /// A DDS domain that no other run on this machine uses, held until destruction.
 ///
@@ -36,4 +36,4 @@ class DomainLock {
   std::array<int, 2> sockets_{-1, -1};  // the lock, and who holds it
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::runtime

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/launcher/domain_users.hpp"
+#include "runtime/host/domain_users.hpp"
 
 #include <pwd.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 #include "runtime/bus/place.hpp"
 #include "runtime/bus/shared_memory_port.hpp"
 
-namespace caravan::deploy {
+namespace caravan::runtime {
 namespace {
 
 /// `pid/user/since`, as holder_name() ends.
@@ -35,7 +35,7 @@ std::string holder_name(std::uint32_t domain, const DomainHolder& holder) {
 }
 
 std::optional<DomainHolder> holder_of(std::uint32_t domain) {
-  for (const std::string& name : runtime::local_names(lock_name(domain) + "/")) return holder_in(name);
+  for (const std::string& name : local_names(lock_name(domain) + "/")) return holder_in(name);
   return std::nullopt;
 }
 
@@ -59,12 +59,12 @@ std::string in_words(const DomainHolder& holder) {
 
 std::optional<uid_t> other_user_in(std::uint32_t domain) {
   if (const auto holder = holder_of(domain); holder && holder->user != geteuid()) return holder->user;
-  for (const std::uint32_t port : runtime::places_in(domain)) {
+  for (const std::uint32_t port : places_in(domain)) {
     struct stat facts {};
-    const std::string file = runtime::port_file(port);
+    const std::string file = port_file(port);
     if (stat(file.c_str(), &facts) == 0 && facts.st_uid != geteuid()) return facts.st_uid;
   }
   return std::nullopt;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::runtime

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-namespace caravan::deploy {
+namespace caravan::runtime {
 
 /// The process that holds a DomainLock.
 struct DomainHolder {
@@ -33,4 +33,4 @@ struct DomainHolder {
 [[nodiscard]] std::string lock_name(std::uint32_t domain);
 [[nodiscard]] std::string holder_name(std::uint32_t domain, const DomainHolder& holder);
 
-}  // namespace caravan::deploy
+}  // namespace caravan::runtime

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/launcher/shared_memory.hpp"
+#include "runtime/host/shared_memory.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -15,7 +15,7 @@
 
 #include "runtime/bus/shared_memory_port.hpp"
 
-namespace caravan::deploy {
+namespace caravan::runtime {
 namespace fs = std::filesystem;
 namespace {
 
@@ -23,7 +23,7 @@ const fs::path kFolder{"/dev/shm"};
 
 /// What the names of DDS's ports begin with.
 const std::string& port_mark() {
-  static const std::string mark = runtime::shared_memory_mark() + "port";
+  static const std::string mark = shared_memory_mark() + "port";
   return mark;
 }
 
@@ -34,7 +34,7 @@ std::set<std::string> mapped_by(const fs::path& process, const fs::path& folder 
   const std::string mark = folder.string() + "/";
   for (std::string line; std::getline(maps, line);) {
     const std::size_t place = line.find(mark);
-    if (place == std::string::npos || line.find(runtime::shared_memory_mark()) == std::string::npos) continue;
+    if (place == std::string::npos || line.find(shared_memory_mark()) == std::string::npos) continue;
     std::string name = line.substr(place + mark.size());
     names.insert(name.substr(0, name.find(' ')));  // the kernel adds " (deleted)"
   }
@@ -60,7 +60,7 @@ bool is_of_a_port_of(const std::string& name, std::uint32_t domain) {
   std::uint32_t port = 0;
   const char* digits = name.data() + place + port_mark().size();
   if (std::from_chars(digits, name.data() + name.size(), port).ec != std::errc{}) return false;
-  return runtime::is_port_of(port, domain);
+  return is_port_of(port, domain);
 }
 
 /// A segment's file is named like the segment, its lock like it with "_el" behind.
@@ -156,8 +156,7 @@ std::vector<LeftFile> left_by_the_dead(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator{folder, error}) {
     const std::string name = entry.path().filename();
     const std::string segment = segment_of(name);
-    if (!segment.starts_with(runtime::shared_memory_mark()) || in_use.contains(name) ||
-        in_use.contains(segment))
+    if (!segment.starts_with(shared_memory_mark()) || in_use.contains(name) || in_use.contains(segment))
       continue;
     if (!is_ours_and_old(entry.path()) || is_held(folder, segment)) continue;
     left.push_back({name, fs::file_size(entry.path(), error)});
@@ -178,4 +177,4 @@ void remove_dead_ports(std::uint32_t domain) {
   remove_unused([domain](const std::string& name) { return is_of_a_port_of(name, domain); });
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::runtime

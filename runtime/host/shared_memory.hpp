@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace caravan::deploy {
+namespace caravan::runtime {
 
 /// Whether a living process has a DDS port of the domain mapped: the domain is in use, by whomever.
 [[nodiscard]] bool has_living_ports(std::uint32_t domain);
@@ -57,4 +57,4 @@ class SharedMemory {
   std::set<pid_t> noted_;           // that had some
 };
 
-}  // namespace caravan::deploy
+}  // namespace caravan::runtime

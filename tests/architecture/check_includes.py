@@ -21,6 +21,7 @@ ALLOWED = {
     "runtime/trace": [STD, "runtime/config"],
     "runtime/process": [STD, POSIX, LOG, CLI, "runtime/config", "runtime/bus/transport.hpp"],
     "runtime/bus": [STD, POSIX, LOG, DDS, ROBOT_TYPES, "idl", "runtime/config", "runtime/pure"],
+    "runtime/host": [STD, POSIX, "runtime/bus", "runtime/config"],
     "runtime/control": [STD, LOG, TRUTH_TYPES, "runtime/pure"],
     "idl": [STD, ROBOT_TYPES, TRUTH_TYPES, GENERATED],
     "robot_agent/core": [STD, EIGEN, "runtime/pure"],
@@ -37,24 +38,24 @@ ALLOWED = {
     "hardware_bridge/core": [STD, "runtime/pure"],
     "hardware_bridge/config": [STD, *CONFIG, "hardware_bridge/core"],
     "hardware_bridge": [*PROCESS, DDS, ROBOT_TYPES, "hardware_bridge"],
-    "deploy/metrics": [STD, POSIX, JSON, "runtime/config", "runtime/pure"],
-    "deploy/experiment": [STD, "runtime/config", "runtime/process", "runtime/bus/transport.hpp", "deploy/metrics"],
-    "deploy/embedded": [STD, EIGEN, *CONFIG, "runtime/process", "runtime/trace", "deploy/metrics", "deploy/experiment",
-                        "robot_agent/core", "robot_agent/config", "world_server", "radio_emulator/medium",
-                        "radio_emulator/config"],
-    "deploy/launcher": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "deploy/metrics", "deploy/experiment"],
-    "deploy/trace": [STD, JSON, "runtime/config", "runtime/pure", "runtime/trace", "runtime/process", "deploy/metrics",
-                     "deploy/experiment"],
-    "deploy/sweep": [STD, POSIX, JSON, "runtime/config", "runtime/process", "deploy/metrics",
-                     "deploy/launcher/children.hpp"],
-    "deploy/report": [STD, POSIX, "runtime/config", "runtime/process"],
-    "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, JSON, GTEST, "deploy/control", "deploy/launcher",
-                   "deploy/metrics", "robot_agent/core/radio/frames"],
-    "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "deploy/launcher/domain_users.hpp"],
-    "deploy/doctor": [STD, POSIX, "runtime", "deploy/launcher/shared_memory.hpp"],
-    "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/bus/transport.hpp", "deploy",
-                   "robot_agent/config", "robot_agent/core", "world_server", "radio_emulator/config", "radio_emulator/medium",
-                   "hardware_bridge/config"],
+    "experiment": [STD, "runtime/config", "runtime/process", "runtime/bus/transport.hpp", "experiment/metrics"],
+    "experiment/metrics": [STD, POSIX, JSON, "runtime/config", "runtime/pure"],
+    "experiment/embedded": [STD, EIGEN, *CONFIG, "runtime/process", "runtime/trace", "experiment/metrics",
+                            "experiment/run_request.hpp", "robot_agent/core", "robot_agent/config", "world_server",
+                            "radio_emulator/medium", "radio_emulator/config"],
+    "experiment/trace": [STD, JSON, "runtime/config", "runtime/pure", "runtime/trace", "runtime/process", "experiment/metrics",
+                         "experiment/run_request.hpp"],
+    "experiment/sweep": [STD, POSIX, JSON, "runtime/config", "runtime/process", "runtime/host/children.hpp", "experiment/metrics"],
+    "experiment/report": [STD, POSIX, "runtime/config", "runtime/process"],
+    "deploy/observer": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "experiment/metrics"],
+    "deploy/launcher": [*PROCESS, DDS, TRUTH_TYPES, "deploy/observer", "experiment/metrics", "experiment/run_request.hpp"],
+    "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, JSON, GTEST, "deploy/control", "deploy/observer",
+                   "experiment/metrics", "robot_agent/core/radio/frames"],
+    "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
+    "deploy/doctor": [STD, POSIX, "runtime"],
+    "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/host", "runtime/bus/transport.hpp", "deploy",
+                   "experiment", "robot_agent/config", "robot_agent/core", "world_server", "radio_emulator/config",
+                   "radio_emulator/medium", "hardware_bridge/config"],
 }
 SHELLS = ("robot_agent/shell", "world_server/shell", "radio_emulator/shell", "hardware_bridge/shell")
 
@@ -149,7 +150,7 @@ def cycle_in(graph):
 
 
 def check(root):
-    top_folders = {"runtime", "idl", "robot_agent", "world_server", "radio_emulator", "hardware_bridge", "deploy", "tests"}
+    top_folders = {"runtime", "idl", "robot_agent", "world_server", "radio_emulator", "hardware_bridge", "experiment", "deploy", "tests"}
     found, graph = [], {}
     for top in sorted(top_folders - {"tests"}):
         for file in sorted((root / top).rglob("*.[ch]pp")):

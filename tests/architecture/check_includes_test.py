@@ -41,17 +41,24 @@ class CheckIncludes(unittest.TestCase):
         self.assertEqual(breaches({"world_server/physics/body.cpp": "#include <ode/ode.h>\n"}), [])
         self.assert_breach("hardware_bridge/core/robot/microcontroller.cpp", "#include <ode/ode.h>\n")
         self.assert_breach("world_server/referee/items.cpp", "#include <ode/ode.h>\n")
-        self.assert_breach("deploy/embedded/engine.cpp", "#include <ode/ode.h>\n")
+        self.assert_breach("experiment/embedded/engine.cpp", "#include <ode/ode.h>\n")
 
     def test_dds_is_for_bus_shells_and_launcher(self):
         line = "#include <fastdds/dds/domain/DomainParticipant.hpp>\n"
         self.assertEqual(breaches({"runtime/bus/bus.cpp": line, "world_server/shell/shell.cpp": line}), [])
-        self.assert_breach("deploy/metrics/metrics.cpp", line)
+        self.assert_breach("experiment/metrics/metrics.cpp", line)
         self.assert_breach("radio_emulator/medium/medium.cpp", line)
 
     def test_programs_do_not_include_one_another(self):
         self.assert_breach("radio_emulator/shell/shell.cpp", '#include "world_server/types.hpp"\n')
-        self.assert_breach("deploy/embedded/engine.cpp", '#include "world_server/shell/world_shell.hpp"\n')
+        self.assert_breach("experiment/embedded/engine.cpp", '#include "world_server/shell/world_shell.hpp"\n')
+
+    def test_experiments_do_not_know_deployments(self):
+        line = '#include "experiment/metrics/run_record.hpp"\n'
+        self.assertEqual(breaches({"deploy/launcher/run_dds.cpp": line}), [])
+        for folder in ("metrics", "embedded", "trace", "sweep", "report"):
+            self.assert_breach(f"experiment/{folder}/any.cpp", '#include "deploy/launcher/run_dds.hpp"\n')
+        self.assert_breach("runtime/host/children.cpp", line)
 
     def test_a_core_has_no_clock_thread_file_or_hash_order(self):
         self.assert_breach("robot_agent/core/agent.cpp", "auto now = std::chrono::steady_clock::now();\n")

@@ -4,7 +4,7 @@
 import pathlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FOLDERS = ("runtime", "idl", "robot_agent", "world_server", "radio_emulator", "hardware_bridge", "deploy", "tests")
+FOLDERS = ("runtime", "idl", "robot_agent", "world_server", "radio_emulator", "hardware_bridge", "experiment", "deploy", "tests")
 
 
 def files_ending_in(*endings):

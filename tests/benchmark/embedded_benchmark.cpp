@@ -10,7 +10,7 @@
 #include <memory>
 #include <numbers>
 
-#include "deploy/embedded/engine.hpp"
+#include "experiment/embedded/engine.hpp"
 #include "radio_emulator/medium/chain.hpp"
 #include "robot_agent/core/agent.hpp"
 #include "runtime/pure/hash_chain.hpp"
@@ -99,9 +99,9 @@ void agent_steps(benchmark::State& state) {
 
 void whole_step(benchmark::State& state) {
   const runtime::TomlDocument scenario = scaling_scenario(static_cast<std::size_t>(state.range(0)));
-  std::unique_ptr<deploy::Engine> engine;
+  std::unique_ptr<experiment::Engine> engine;
   repeat(
-      state, [&](const RecordedRun&) { engine = std::make_unique<deploy::Engine>(scenario); },
+      state, [&](const RecordedRun&) { engine = std::make_unique<experiment::Engine>(scenario); },
       [&](const RecordedRun&, std::size_t) { benchmark::DoNotOptimize(&engine->step()); });
 }
 

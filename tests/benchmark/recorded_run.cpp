@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "build_paths.hpp"
-#include "deploy/embedded/convert.hpp"
+#include "experiment/embedded/convert.hpp"
 #include "radio_emulator/config/radio_config.hpp"
 #include "robot_agent/config/agent_config.hpp"
 #include "robot_agent/core/agent.hpp"
@@ -45,16 +45,16 @@ RecordedRun record_run(std::size_t robots, std::size_t steps) {
       const world::Pose& pose = step.poses[robot - 1];
       step.stations.push_back({robot, pose.x_m, pose.y_m});
       step.inputs.push_back({.now = world.now(),
-                             .sensors = deploy::to_sensors(world.sense(robot)),
+                             .sensors = experiment::to_sensors(world.sense(robot)),
                              .heard = std::move(heard[robot - 1])});
       heard[robot - 1].clear();
       agent::Outputs outputs = agents[robot - 1].step(step.inputs.back());
       step.commands.emplace_back(world::Command{outputs.wheels.left_mps, outputs.wheels.right_mps, false});
-      step.transmissions.push_back(deploy::to_transmission(robot, outputs));
+      step.transmissions.push_back(experiment::to_transmission(robot, outputs));
     }
     for (radio::Reception& one :
          radio::deliver(run.radio, world.step(), step.stations, step.transmissions, drops)) {
-      heard[one.robot - 1] = deploy::to_heard(one);
+      heard[one.robot - 1] = experiment::to_heard(one);
     }
     world.advance(step.commands);
     run.steps.push_back(std::move(step));

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "deploy/embedded/engine.hpp"
+#include "experiment/embedded/engine.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 /// The small scenario with more items, robots that are solid or not and stop for an exchange or not.
@@ -83,4 +83,4 @@ TEST_P(Ablation, RobotsThatDoNotStopToExchangeExchangeAllTheSame) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Ablation, testing::Values(1, 2, 3));
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

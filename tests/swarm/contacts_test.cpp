@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
-#include "deploy/embedded/engine.hpp"
+#include "experiment/embedded/engine.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 /// Six robots in the room of small.toml, which is narrow for them: they turn and give way beside walls.
@@ -66,4 +66,4 @@ TEST(Contacts, RobotsWhoseWaitsAreRareSeldomTouchEachOther) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "build_paths.hpp"
-#include "deploy/embedded/engine.hpp"
+#include "experiment/embedded/engine.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 struct Outcome {
@@ -105,4 +105,4 @@ TEST(UnseenObstacles, WhatIsRememberedBesideADoorClosesItToNobody) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "build_paths.hpp"
-#include "deploy/embedded/engine.hpp"
+#include "experiment/embedded/engine.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 /// small.toml with some of its text replaced: (old, new) pairs.
@@ -103,4 +103,4 @@ TEST(WholeSwarmRoutes, MovingAnObstacleChangesTheRoutesAndNothingInTheAgentsTabl
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/bus_player.hpp"
 
 namespace caravan::test {
@@ -31,7 +31,7 @@ class AgentGroup : public ::testing::Test {
   }
   [[nodiscard]] runtime::BusConfig bus_config() const { return {.role = "test", .domain = lock_.domain()}; }
 
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
 };
 

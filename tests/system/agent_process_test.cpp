@@ -6,9 +6,9 @@
 #include <bit>
 #include <set>
 
-#include "deploy/launcher/domain_lock.hpp"
 #include "robot_agent/config/agent_config.hpp"
 #include "robot_agent/core/agent.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/bus_player.hpp"
 
 namespace caravan::test {
@@ -34,7 +34,7 @@ class AgentProcess : public ::testing::Test {
   }
   [[nodiscard]] runtime::BusConfig bus_config() const { return {.role = "test", .domain = lock_.domain()}; }
 
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
 };
 

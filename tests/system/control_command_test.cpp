@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan::test {
@@ -35,7 +35,7 @@ class ControlCommand : public ::testing::Test {
     return std::regex_search(text, found, std::regex{words + " ([0-9]+)"}) ? std::stol(found[1]) : -1;
   }
 
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
 };
 

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "build_paths.hpp"
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "runtime/pure/random.hpp"
 #include "tests/system/support/process.hpp"
 
@@ -74,7 +74,7 @@ class DdsRun : public ::testing::Test {
   }
 
   // The lock is held here; the run is given its domain.
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
 };
 

@@ -9,8 +9,8 @@
 #include <fstream>
 
 #include "build_paths.hpp"
-#include "deploy/launcher/domain_lock.hpp"
 #include "runtime/bus/shared_memory_port.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan::test {
@@ -51,7 +51,7 @@ class EarlyEnd : public ::testing::Test {
     EXPECT_THAT(left_in_shared_memory(lock_.domain()), IsEmpty());
   }
 
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
   fs::path bin_ = folder_ / "bin";
 };
@@ -78,7 +78,7 @@ std::vector<std::string> segments_of(pid_t pid) {
 }
 
 TEST(KilledWorld, LeavesNothingInSharedMemoryHoweverEarlyInTheRunItWas) {
-  const deploy::DomainLock lock{std::nullopt};
+  const runtime::DomainLock lock{std::nullopt};
   const ScratchFolder folder;
   Process launcher{{"caravan", "run", scenario("small.toml"), "--items", "100000", "--max-time", "1000000",
                     "--out", folder / "out", "--domain", std::to_string(lock.domain())},

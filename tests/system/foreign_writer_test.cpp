@@ -8,8 +8,8 @@
 #include <fastdds/dds/publisher/Publisher.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 
-#include "deploy/launcher/domain_lock.hpp"
 #include "runtime/bus/qos.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/bus_player.hpp"
 
 namespace caravan::test {
@@ -57,7 +57,7 @@ class ForeignAgent {
 class ForeignWriter : public ::testing::Test {
  protected:
   // Found over UDP, by all that follow the standard.
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
   Process world_{{"world_server", "--scenario", scenario("small.toml"), "--domain",
                   std::to_string(lock_.domain()), "--transport", "udp"},

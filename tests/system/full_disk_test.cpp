@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "build_paths.hpp"
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan::test {
@@ -181,7 +181,7 @@ TEST_F(FullTrace, EndsAnEmbeddedRun) {
 
 /// The world could go on without its radio, but the trace would be half of one.
 TEST_F(FullTrace, OfTheRadioEndsTheRun) {
-  const deploy::DomainLock lock{std::nullopt};
+  const runtime::DomainLock lock{std::nullopt};
   PatientProcess caravan{run("", {"--domain", std::to_string(lock.domain())}), folder_ / "caravan.log"};
   const auto trace = folder_ / "out/trace/radio.trace";
   ASSERT_TRUE(eventually(

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "runtime/pure/random.hpp"
 #include "tests/system/support/process.hpp"
 
@@ -18,7 +18,7 @@ TEST(InterruptLong, AHundredInterruptsAtRandomMomentsLeaveNothingBehind) {
   const std::uint64_t seed = 5;
   SCOPED_TRACE(seed);
   pure::Random random{seed};
-  const deploy::DomainLock lock{std::nullopt};
+  const runtime::DomainLock lock{std::nullopt};
   const ScratchFolder folder;
   for (int attempt = 0; attempt < 100; ++attempt) {
     const auto moment = std::chrono::milliseconds{static_cast<int>(random.uniform(5.0, 2000.0))};

@@ -18,11 +18,11 @@
 #include <string>
 #include <thread>
 
-#include "deploy/launcher/domain_lock.hpp"
-#include "deploy/launcher/shared_memory.hpp"
 #include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/bus/place.hpp"
+#include "runtime/host/domain_lock.hpp"
+#include "runtime/host/shared_memory.hpp"
 #include "tests/support/patience.hpp"
 #include "tests/system/support/process.hpp"
 
@@ -139,8 +139,8 @@ class LeftPeers : public ::testing::Test {
   }
 
   static constexpr double kMostLoad = 0.02;
-  const deploy::DomainLock lock_{std::nullopt};
-  deploy::SharedMemory leftovers_{lock_.domain()};
+  const runtime::DomainLock lock_{std::nullopt};
+  runtime::SharedMemory leftovers_{lock_.domain()};
   const std::uint32_t domain_ = lock_.domain();
 };
 

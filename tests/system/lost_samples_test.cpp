@@ -8,12 +8,12 @@
 #include <future>
 #include <iostream>
 
-#include "deploy/launcher/domain_lock.hpp"
 #include "idl/robot_types.hpp"
 #include "idl/stamp.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/bus/fastdds_version.hpp"
 #include "runtime/bus/qos.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/support/patience.hpp"
 
 namespace caravan::test {
@@ -61,7 +61,7 @@ class LossyTransport : public rtps::ChainingTransport {
 rtps::TransportInterface* LossyDescriptor::create_transport() const { return new LossyTransport(*this); }
 
 TEST(LostSamples, HoldUpTheLockstepForLessThanHalfASecond) {
-  const deploy::DomainLock lock{std::nullopt};
+  const runtime::DomainLock lock{std::nullopt};
   const auto lossy = std::make_shared<LossyDescriptor>();
   runtime::Bus world{
       {.role = "world", .domain = lock.domain(), .transport = runtime::Transport::kUdp, .around_udp = lossy}};

@@ -11,10 +11,10 @@
 #include <chrono>
 #include <csignal>
 
-#include "deploy/launcher/domain_lock.hpp"
-#include "deploy/launcher/shared_memory.hpp"
 #include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/host/domain_lock.hpp"
+#include "runtime/host/shared_memory.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan::test {
@@ -103,8 +103,8 @@ class Newcomers : public ::testing::Test {
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
   }
 
-  const deploy::DomainLock lock_{std::nullopt};
-  deploy::SharedMemory leftovers_{lock_.domain()};
+  const runtime::DomainLock lock_{std::nullopt};
+  runtime::SharedMemory leftovers_{lock_.domain()};
   double lease_s_ = 5.0;
   runtime::Transport transport_ = runtime::Transport::kSharedMemory;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The launcher's observer, with the test in the place of the world and of an agent whose telemetry is late.
-#include "deploy/launcher/observer.hpp"
+#include "deploy/observer/observer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/bus_player.hpp"
 
 namespace caravan::test {
@@ -13,7 +13,7 @@ namespace {
 
 namespace msg = caravan_interfaces::msg;
 using namespace std::chrono_literals;
-using deploy::Time;
+using experiment::Time;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
@@ -43,7 +43,7 @@ class ObserverOfOne : public ::testing::Test {
   [[nodiscard]] bool gives_out(std::size_t steps) {
     return eventually(
         [&] {
-          for (deploy::Observation& one : observer_.look().observations) seen_.push_back(std::move(one));
+          for (experiment::Observation& one : observer_.look().observations) seen_.push_back(std::move(one));
           return seen_.size() == steps;
         },
         kPatience);
@@ -52,11 +52,11 @@ class ObserverOfOne : public ::testing::Test {
   /// The robots of the step's reports.
   [[nodiscard]] std::vector<std::uint32_t> reports_of(std::size_t step) const {
     std::vector<std::uint32_t> robots;
-    for (const deploy::AgentReport& one : seen_[step].agent_reports) robots.push_back(one.robot);
+    for (const experiment::AgentReport& one : seen_[step].agent_reports) robots.push_back(one.robot);
     return robots;
   }
 
-  const deploy::DomainLock lock_{std::nullopt};
+  const runtime::DomainLock lock_{std::nullopt};
   runtime::Loop loop_;
   deploy::Observer observer_{{.role = "observer", .domain = lock_.domain()}, "observer", 1, loop_};
   runtime::Bus world_{{.role = "world_server", .domain = lock_.domain()}};
@@ -64,7 +64,7 @@ class ObserverOfOne : public ::testing::Test {
   runtime::Writer<msg::WorldTruthPubSubType> truths_ = world_.writer<msg::WorldTruthPubSubType>(idl::kTruth);
   runtime::Writer<msg::TelemetryPubSubType> telemetry_ =
       agent_.writer<msg::TelemetryPubSubType>(idl::kTelemetry, 1);
-  std::vector<deploy::Observation> seen_;
+  std::vector<experiment::Observation> seen_;
 };
 
 TEST_F(ObserverOfOne, PutsAReportThatComesLateToTheStepThatItBelongsTo) {
@@ -74,7 +74,7 @@ TEST_F(ObserverOfOne, PutsAReportThatComesLateToTheStepThatItBelongsTo) {
   ASSERT_TRUE(gives_out(9));
   EXPECT_THAT(reports_of(0), ElementsAre(1));
   EXPECT_THAT(reports_of(3), ElementsAre(1));
-  EXPECT_EQ(seen_[3].agent_reports[0].activity, deploy::Activity::kAvoiding);
+  EXPECT_EQ(seen_[3].agent_reports[0].activity, experiment::Activity::kAvoiding);
 }
 
 TEST_F(ObserverOfOne, WaitsForNoReportOfALostRobot) {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/bus_player.hpp"
 
 namespace caravan::test {
@@ -47,7 +47,7 @@ class RadioProcess : public ::testing::Test {
     return step ? step->receivers() : std::vector<std::uint32_t>{};
   }
 
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
   Process radio_;
   const runtime::BusConfig bus_config_{.role = "test", .domain = lock_.domain()};

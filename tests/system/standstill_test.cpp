@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan::test {
@@ -45,7 +45,7 @@ class StandingStill : public ::testing::Test {
     for (const std::string robot : {"1", "2", "3", "4"}) send(signal, "robot_agent", "--robot " + robot);
   }
 
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
   Process launcher_{{"caravan", "run", scenario("small.toml"), "--out", folder_ / "out", "--items", "100000",
                      "--max-time", "1000000", "--domain", std::to_string(lock_.domain()), "--quiet"},

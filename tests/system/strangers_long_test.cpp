@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/digest_of.hpp"
 #include "tests/system/support/process.hpp"
 #include "tests/system/support/rogues.hpp"
@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 TEST(StrangersLong, ChangeNothingInHalfAnHourOfThePapersRuns) {
   constexpr auto kWhole = 30min;
   const std::string expected = digest_of("paper.toml", kEmbedded, {});
-  const deploy::DomainLock lock{std::nullopt};
+  const runtime::DomainLock lock{std::nullopt};
   const auto began = std::chrono::steady_clock::now();
   for (std::uint32_t seed = 1; std::chrono::steady_clock::now() - began < kWhole; seed += 4) {
     std::printf("rogues from seed %u on\n", seed);

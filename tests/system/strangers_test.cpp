@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/digest_of.hpp"
 #include "tests/system/support/process.hpp"
 #include "tests/system/support/rogues.hpp"
@@ -39,7 +39,7 @@ class Strangers : public ::testing::Test {
     return read_file(folder_ / ("out/logs/" + process + ".log"));
   }
 
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
   std::string output_;
 };

@@ -55,7 +55,7 @@ def embedded_digest(build: Build, seconds: str, seed: str) -> str:
 
 @contextlib.contextmanager
 def free_domain():
-    """A DDS domain that no run of this machine has; taken as deploy/launcher/domain_lock.cpp takes it."""
+    """A DDS domain that no run of this machine has; taken as runtime/host/domain_lock.cpp takes it."""
     for domain in range(229, 99, -1):
         with open(f"{tempfile.gettempdir()}/caravan_domain_{domain}.lock", "a", encoding="ascii") as lock:
             try:

@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
-#include "deploy/launcher/domain_lock.hpp"
 #include "runtime/bus/shared_memory_port.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan::test {
@@ -56,7 +56,7 @@ class UdpRun : public ::testing::Test {
     line.insert(line.end(), options.begin(), options.end());
     return line;
   }
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
 };
 

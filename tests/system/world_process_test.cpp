@@ -7,7 +7,7 @@
 #include <limits>
 #include <thread>
 
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/bus_player.hpp"
 
 namespace caravan::test {
@@ -113,7 +113,7 @@ class WorldProcess : public ::testing::Test {
     return {"world_server", "--scenario", scenario("small.toml"), "--domain", std::to_string(lock_.domain())};
   }
 
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
   Process world_{world(), folder_ / "world.log"};
   const runtime::BusConfig config_{.role = "test",

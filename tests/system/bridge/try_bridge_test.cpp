@@ -6,8 +6,8 @@
 #include <signal.h>
 
 #include "build_paths.hpp"
-#include "deploy/launcher/domain_lock.hpp"
-#include "deploy/launcher/shared_memory.hpp"
+#include "runtime/host/domain_lock.hpp"
+#include "runtime/host/shared_memory.hpp"
 #include "tests/system/support/bus_player.hpp"
 
 namespace caravan::test {
@@ -54,7 +54,7 @@ class TryBridge : public ::testing::Test {
     EXPECT_THAT(left_in_shared_memory(lock_.domain()), IsEmpty());
   }
 
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
 };
 

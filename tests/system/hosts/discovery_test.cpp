@@ -5,8 +5,8 @@
 #include <signal.h>
 
 #include "build_paths.hpp"
-#include "deploy/launcher/domain_lock.hpp"
 #include "runtime/bus/fastdds_version.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/hosts/fleet.hpp"
 
 namespace caravan::test {
@@ -61,7 +61,7 @@ class DiscoveryServer : public ::testing::Test {
   }
 
   ScratchFolder folder_;
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   // The last of the domain's ports: no participant gets that far.
   const std::string port_ = std::to_string(7400 + 250 * lock_.domain() + 249);
   std::unique_ptr<PatientProcess> server_;

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "build_paths.hpp"
-#include "deploy/launcher/domain_lock.hpp"
 #include "runtime/bus/fastdds_version.hpp"
 #include "runtime/bus/shared_memory_port.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/hosts/network.hpp"
 #include "tests/system/support/digest_of.hpp"
 #include "tests/system/support/process.hpp"
@@ -32,7 +32,7 @@ class Profile : public ::testing::Test {
     EXPECT_EQ(agent.wait(30s), 2) << transport << ": " << agent.output();
     return agent.output();
   }
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
 };
 

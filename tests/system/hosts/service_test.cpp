@@ -12,7 +12,7 @@
 #include <regex>
 
 #include "build_paths.hpp"
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan::test {
@@ -110,7 +110,7 @@ class Service : public ::testing::Test {
 
  private:
   ScratchFolder folder_;
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   int socket_ = -1;
 };
 

@@ -14,7 +14,7 @@ import matplotlib.image
 import numpy as np
 
 TREE = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(TREE / "deploy/report"), str(TREE / "tests/support")]
+sys.path[:0] = [str(TREE / "experiment/report"), str(TREE / "tests/support")]
 
 import report  # noqa: E402
 import style  # noqa: E402

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "build_paths.hpp"
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/bus_player.hpp"
 #include "tests/system/vendors/snippets.hpp"
 
@@ -115,7 +115,7 @@ class Cyclone : public ::testing::Test {
     agent_said_ = agent.output();
   }
 
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
   const runtime::BusConfig config_{
       .role = "test", .domain = lock_.domain(), .lease_s = 60.0, .transport = runtime::Transport::kUdp};

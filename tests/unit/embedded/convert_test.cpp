@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/embedded/convert.hpp"
+#include "experiment/embedded/convert.hpp"
 
 #include <gtest/gtest.h>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 TEST(Heard, HasChannelBytesAndSignalStrengthOfWhatTheRadioDelivers) {
@@ -17,4 +17,4 @@ TEST(Heard, HasChannelBytesAndSignalStrengthOfWhatTheRadioDelivers) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/activity_account.hpp"
+#include "experiment/metrics/activity_account.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <functional>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 using std::chrono::seconds;
@@ -120,4 +120,4 @@ TEST(ActivityAccount, TheLongestStretchIsNotTheSumOfTwo) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/exchange_account.hpp"
+#include "experiment/metrics/exchange_account.hpp"
 
 #include <gmock/gmock.h>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 using std::chrono::seconds;
@@ -69,4 +69,4 @@ TEST(ExchangeAccount, MeanDurationIsOverAllReportsWithFailedAttempts) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/metrics.hpp"
+#include "experiment/metrics/metrics.hpp"
 
 #include <gmock/gmock.h>
 
@@ -7,11 +7,11 @@
 #include <set>
 #include <string>
 
-#include "deploy/metrics/metrics_json.hpp"
-#include "deploy/metrics/result_table.hpp"
-#include "tests/unit/deploy/observations.hpp"
+#include "experiment/metrics/metrics_json.hpp"
+#include "experiment/metrics/result_table.hpp"
+#include "tests/unit/experiment/observations.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 using std::chrono::minutes;
@@ -221,4 +221,4 @@ TEST(ResultTable, FitsInAHundredColumnsWithLargeNumbers) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

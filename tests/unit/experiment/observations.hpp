@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "deploy/metrics/observation.hpp"
+#include "experiment/metrics/observation.hpp"
 
 /// Hand-made observations: readable runs for the tests of what an observer makes of them.
-namespace caravan::deploy::test {
+namespace caravan::experiment::test {
 
 inline constexpr Time kStep = std::chrono::milliseconds{32};
 
@@ -35,4 +35,4 @@ inline Observation with(Observation observation, AgentReport report) {
   return observation;
 }
 
-}  // namespace caravan::deploy::test
+}  // namespace caravan::experiment::test

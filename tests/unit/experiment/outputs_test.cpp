@@ -8,15 +8,15 @@
 #include <fstream>
 #include <sstream>
 
-#include "deploy/metrics/csv_file.hpp"
-#include "deploy/metrics/record_files.hpp"
-#include "deploy/metrics/run_directory.hpp"
-#include "deploy/metrics/run_record.hpp"
+#include "experiment/metrics/csv_file.hpp"
+#include "experiment/metrics/record_files.hpp"
+#include "experiment/metrics/run_directory.hpp"
+#include "experiment/metrics/run_record.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/config/write_error.hpp"
-#include "tests/unit/deploy/observations.hpp"
+#include "tests/unit/experiment/observations.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 namespace fs = std::filesystem;
@@ -301,4 +301,4 @@ TEST_F(Outputs, AFolderThatCannotBeWrittenIsAnErrorOfTheStart) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/metrics/routes.hpp"
+#include "experiment/metrics/routes.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 using Path = std::vector<Place>;
@@ -69,4 +69,4 @@ TEST(CountRoutes, ARobotWithoutPathIsNoRoute) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

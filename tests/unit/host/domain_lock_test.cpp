@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/launcher/domain_lock.hpp"
+#include "runtime/host/domain_lock.hpp"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -13,12 +13,12 @@
 #include <optional>
 #include <string>
 
-#include "deploy/launcher/domain_users.hpp"
 #include "runtime/bus/local_names.hpp"
 #include "runtime/bus/shared_memory_port.hpp"
 #include "runtime/config/start_error.hpp"
+#include "runtime/host/domain_users.hpp"
 
-namespace caravan::deploy {
+namespace caravan::runtime {
 namespace {
 
 using ::testing::AllOf;
@@ -123,4 +123,4 @@ TEST(DomainLock, OfADomainInWhichAnotherUsersProcessesAreIsRefused) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::runtime

@@ -72,19 +72,19 @@ TEST(Condition, ReadsALog) {
 }
 
 TEST(Condition, AsksTheTallyForMetricsAndEvents) {
-  const auto tally = std::make_shared<Tally>(
-      RunFacts{.scenario = {}, .engine = {}, .mode = {}, .robots = 2, .items = 5, .max_time = {}});
-  Observation step;
+  const auto tally = std::make_shared<Tally>(experiment::RunFacts{
+      .scenario = {}, .engine = {}, .mode = {}, .robots = 2, .items = 5, .max_time = {}});
+  experiment::Observation step;
   step.members = {1, 2};
   step.contacts = {{1, 2}, {2, 0}};
   step.items_delivered = 1;
-  step.item_events = {{ItemEvent::Kind::kDelivery, 2}};
+  step.item_events = {{experiment::ItemEvent::Kind::kDelivery, 2}};
   tally->observe(step);
   step.stamp = std::chrono::milliseconds{32};
   step.contacts = {{2, 0}};
   step.item_events = {};
   tally->observe(step);
-  tally->note(RunEnd{
+  tally->note(experiment::RunEnd{
       .digest = "abc", .disturbed = true, .failure = {}, .time_split = {}, .refusals = {}, .strangers = {}});
   Seen seen;
   EXPECT_FALSE(Condition{"events contact >= 0"}.holds(seen)) << "no world was heard";

@@ -10,7 +10,7 @@ import unittest
 import numpy as np
 
 TREE = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(TREE / "deploy/report"), str(TREE / "tests/support")]
+sys.path[:0] = [str(TREE / "experiment/report"), str(TREE / "tests/support")]
 
 import series  # noqa: E402
 import traffic  # noqa: E402

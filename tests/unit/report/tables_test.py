@@ -7,7 +7,7 @@ import tempfile
 import unittest
 
 TREE = pathlib.Path(__file__).resolve().parents[3]
-sys.path[:0] = [str(TREE / "deploy/report"), str(TREE / "tests/support")]
+sys.path[:0] = [str(TREE / "experiment/report"), str(TREE / "tests/support")]
 
 from made_runs import make_run, robot  # noqa: E402
 from meetings import meetings  # noqa: E402

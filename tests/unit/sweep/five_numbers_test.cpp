@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/five_numbers.hpp"
+#include "experiment/sweep/five_numbers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <random>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 std::array<double, 5> in_order(const FiveNumbers& five) {
@@ -45,4 +45,4 @@ TEST(FiveNumbers, OfAnySampleAreSortedAndDoNotDependOnItsOrder) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

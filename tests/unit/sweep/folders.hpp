@@ -8,11 +8,11 @@
 #include <fstream>
 #include <string>
 
-#include "deploy/metrics/metrics_json.hpp"
-#include "deploy/sweep/plan.hpp"
+#include "experiment/metrics/metrics_json.hpp"
+#include "experiment/sweep/plan.hpp"
 
 /// A sweep's folder and what runs leave in it, without running anything.
-namespace caravan::deploy {
+namespace caravan::experiment {
 
 /// Removed at the end of the test.
 class Folder {
@@ -65,4 +65,4 @@ inline SweepPlan plan_of(const std::vector<std::string>& modes, const std::vecto
   return plan;
 }
 
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/modes.hpp"
+#include "experiment/sweep/modes.hpp"
 
 #include <gmock/gmock.h>
 
 #include "runtime/config/start_error.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 using runtime::StartError;
@@ -25,4 +25,4 @@ TEST(Modes, ThatAreNoneOrTwiceThereAreRefused) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

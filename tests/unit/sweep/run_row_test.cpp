@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/run_row.hpp"
+#include "experiment/sweep/run_row.hpp"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
-#include "deploy/sweep/quantities.hpp"
+#include "experiment/sweep/quantities.hpp"
 #include "runtime/config/start_error.hpp"
 #include "tests/unit/sweep/folders.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 const PlannedRun kRun{.mode = "full", .seed = 3, .scenario_text = "seed = 3\n"};
@@ -133,4 +133,4 @@ TEST_F(RunFolder, OfAnotherScenarioIsRefused) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

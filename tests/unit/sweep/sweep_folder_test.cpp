@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/sweep_folder.hpp"
+#include "experiment/sweep/sweep_folder.hpp"
 
 #include <gmock/gmock.h>
 
 #include <memory>
 
-#include "deploy/metrics/text_file.hpp"
-#include "deploy/sweep/sweep_tables.hpp"
+#include "experiment/metrics/text_file.hpp"
+#include "experiment/sweep/sweep_tables.hpp"
 #include "runtime/config/start_error.hpp"
 #include "tests/unit/sweep/folders.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 class SweepFolders : public testing::Test {
@@ -94,4 +94,4 @@ TEST_F(SweepFolders, AreSummarisedByNobodyWhileASweepWritesItsTables) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

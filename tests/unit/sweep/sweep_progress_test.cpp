@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/sweep_progress.hpp"
+#include "experiment/sweep/sweep_progress.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 TEST(TimeLeft, SharesTheWorkAmongTheJobs) {
@@ -32,4 +32,4 @@ TEST(ProgressBar, TellsWhatIsDoneFailedRunningAndLeft) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

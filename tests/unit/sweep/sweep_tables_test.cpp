@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/sweep/sweep_tables.hpp"
+#include "experiment/sweep/sweep_tables.hpp"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
-#include "deploy/sweep/quantities.hpp"
+#include "experiment/sweep/quantities.hpp"
 #include "tests/unit/sweep/folders.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 using testing::HasSubstr;
@@ -90,4 +90,4 @@ TEST(SweepTables, ShowFailuresOnTheTerminal) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

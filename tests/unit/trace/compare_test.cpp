@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/trace/compare.hpp"
+#include "experiment/trace/compare.hpp"
 
 #include <gmock/gmock.h>
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 TracedStep step() {
@@ -91,4 +91,4 @@ TEST(Differences, ComeInTheOrderInWhichOneLeadsToAnother) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -3,13 +3,13 @@
 
 #include <gmock/gmock.h>
 
-#include "deploy/metrics/text_file.hpp"
-#include "deploy/trace/steps.hpp"
-#include "deploy/trace/trace_reader.hpp"
+#include "experiment/metrics/text_file.hpp"
+#include "experiment/trace/steps.hpp"
+#include "experiment/trace/trace_reader.hpp"
 #include "runtime/config/start_error.hpp"
 #include "tests/unit/sweep/folders.hpp"
 
-namespace caravan::deploy {
+namespace caravan::experiment {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -119,4 +119,4 @@ TEST(TracedSteps, ThatAreNotWholeOrTooLongAreRefused) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::experiment

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "deploy/launcher/domain_lock.hpp"
-#include "deploy/launcher/shared_memory.hpp"
+#include "runtime/host/domain_lock.hpp"
+#include "runtime/host/shared_memory.hpp"
 #include "tests/system/support/bus_player.hpp"
 
 namespace caravan::test {
@@ -54,11 +54,11 @@ class Field : public ::testing::Test {
     return {.role = "test", .domain = lock_.domain(), .lease_s = short_lease_s()};
   }
 
-  deploy::DomainLock lock_{std::nullopt};
+  runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
 
  private:
-  deploy::SharedMemory leftovers_{lock_.domain()};
+  runtime::SharedMemory leftovers_{lock_.domain()};
   mutable int started_ = 0;
 };
 

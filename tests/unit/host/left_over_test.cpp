@@ -11,10 +11,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "deploy/launcher/shared_memory.hpp"
 #include "runtime/bus/shared_memory_port.hpp"
+#include "runtime/host/shared_memory.hpp"
 
-namespace caravan::deploy {
+namespace caravan::runtime {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST_F(LeftOver, IsNotWhatSomebodyUnseenHasLocked) {
 }
 
 }  // namespace
-}  // namespace caravan::deploy
+}  // namespace caravan::runtime
