@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/kit/process.hpp"
 
-#include <fcntl.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <thread>
+#include <utility>
 
-#include "runtime/config/start_error.hpp"
+#include "runtime/host/spawn.hpp"
 
 namespace caravan::deploy {
 namespace {
@@ -22,22 +19,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kLookPeriod{5};
-
-/// In the child between fork and exec: nothing but system calls.
-[[noreturn]] void become(const std::vector<char*>& arguments, int log) {
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  signal(SIGPIPE, SIG_DFL);
-  signal(SIGINT, SIG_DFL);  // a shell starts what runs in the background with SIGINT ignored
-  setpgid(0, 0);            // Ctrl-C at the terminal is for the parent, which stops everybody in order
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a parent that crashes leaves no process behind
-  dup2(log, STDOUT_FILENO);
-  dup2(log, STDERR_FILENO);
-  close_range(STDERR_FILENO + 1, ~0U, 0);  // the parent's DDS sockets and locks are not the child's
-  execv(arguments[0], arguments.data());
-  _exit(127);
-}
 
 template <typename Condition>
 bool eventually(Condition condition, std::chrono::milliseconds patience) {
@@ -51,17 +32,10 @@ bool eventually(Condition condition, std::chrono::milliseconds patience) {
 
 }  // namespace
 
-Process::Process(std::vector<std::string> command_line, std::filesystem::path log) : log_{std::move(log)} {
-  std::vector<char*> words;
-  for (std::string& word : command_line) words.push_back(word.data());
-  words.push_back(nullptr);
-  const int file = open(log_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0) throw runtime::StartError{log_.string() + ": " + std::strerror(errno)};
-  pid_ = fork();
-  if (pid_ == 0) become(words, file);
-  close(file);
-  if (pid_ < 0) throw runtime::StartError{"cannot start " + command_line[0] + ": " + std::strerror(errno)};
-}
+Process::Process(std::vector<std::string> command_line, std::filesystem::path log)
+    // A parent that crashes leaves no process behind.
+    : pid_{runtime::spawn(std::move(command_line), log, {.when_parent_dies = SIGKILL})},
+      log_{std::move(log)} {}
 
 Process::~Process() {
   if (exit_code_) return;

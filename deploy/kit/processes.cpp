@@ -19,27 +19,23 @@ constexpr auto kKillPatience = 5000ms;
 constexpr std::string_view kRobot = "robot ";
 constexpr std::string_view kRobots = "robots ";
 
-/// Of a process `robot 3` or `robots 1-4`.
-struct Numbers {
-  std::uint32_t first = 0;
-  std::uint32_t last = 0;
-};
-
 std::string file_name(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }
 
-/// Robots 1 to 4 are a group, 5 to 8 the next, and so on; the last may be smaller.
-Numbers group_of(std::uint32_t robot, const ProcessSetup& setup) {
-  const std::uint32_t first = robot - (robot - 1) % setup.agents_per_process;
-  return {first, std::min(setup.robots, first + setup.agents_per_process - 1)};
+/// The group that the robot is in; of no robot of the run: itself.
+RobotGroup group_of(std::uint32_t robot, const ProcessSetup& setup) {
+  for (const RobotGroup& group : groups_of(setup.robots, setup.agents_per_process)) {
+    if (robot >= group.first && robot <= group.last) return group;
+  }
+  return {robot, robot};
 }
 
 }  // namespace
 
 Processes::Processes(ProcessSetup setup, std::function<void(const std::string&)> on_end)
-    : setup_{std::move(setup)}, on_end_{std::move(on_end)}, memory_{setup_.domain} {}
+    : setup_{std::move(setup)}, on_end_{std::move(on_end)}, memory_{setup_.run.domain} {}
 
 void Processes::stop_all() {
   note_shared_memory();
@@ -56,10 +52,9 @@ void Processes::stop_all() {
 
 std::string Processes::process_of(const std::string& name) const {
   if (!name.starts_with(kRobot)) return name;
-  const auto [first, last] =
-      group_of(static_cast<std::uint32_t>(std::stoul(name.substr(kRobot.size()))), setup_);
-  if (first == last) return std::string{kRobot} + std::to_string(first);
-  return std::string{kRobots} + std::to_string(first) + "-" + std::to_string(last);
+  const auto robot = static_cast<std::uint32_t>(std::stoul(name.substr(kRobot.size())));
+  const RobotGroup group = group_of(robot, setup_);
+  return std::string{group.first == group.last ? kRobot : kRobots} + in_words(group);
 }
 
 std::vector<std::string> Processes::processes_of(const std::vector<std::string>& names) const {
@@ -73,19 +68,14 @@ std::vector<std::string> Processes::processes_of(const std::vector<std::string>&
 }
 
 std::vector<std::string> Processes::command_line(const std::string& name) const {
-  const char* program = name == "world" ? "world_server" : name == "radio" ? "radio_emulator" : "robot_agent";
-  std::vector<std::string> line{setup_.binaries / program,
-                                "--scenario",
-                                setup_.scenario,
-                                "--domain",
-                                std::to_string(setup_.domain),
-                                "--lease",
-                                std::to_string(setup_.lease_s),
-                                "--transport",
-                                to_text(setup_.transport)};
-  if (name == "world") line.insert(line.end(), {"--await", setup_.awaited});
-  if (name.starts_with(kRobot)) line.insert(line.end(), {"--robot", name.substr(kRobot.size())});
-  if (name.starts_with(kRobots)) line.insert(line.end(), {"--robots", name.substr(kRobots.size())});
+  std::vector<std::string> line;
+  if (name == "world") {
+    line = world_command(setup_.run, setup_.awaited);
+  } else if (name == "radio") {
+    line = radio_command(setup_.run);
+  } else {
+    line = agent_command(setup_.run, name.substr(name.find(' ') + 1));
+  }
   if (const auto more = setup_.arguments.find(name); more != setup_.arguments.end())
     line.insert(line.end(), more->second.begin(), more->second.end());
   return line;

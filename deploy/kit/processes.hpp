@@ -13,19 +13,15 @@
 #include "deploy/kit/actions.hpp"
 #include "deploy/kit/process.hpp"
 #include "deploy/kit/seen.hpp"
-#include "runtime/bus/transport.hpp"
+#include "deploy/launcher/run_commands.hpp"
 #include "runtime/host/shared_memory.hpp"
 
 namespace caravan::deploy {
 
 /// How the processes of a deployment are started.
 struct ProcessSetup {
-  std::filesystem::path scenario;  ///< as they read it
-  std::filesystem::path folder;    ///< of their logs
-  std::filesystem::path binaries;  ///< folder of world_server and the others
-  std::uint32_t domain = 0;
-  runtime::Transport transport = runtime::Transport::kSharedMemory;
-  double lease_s = 2.0;
+  RunSetup run;
+  std::filesystem::path folder;  ///< of their logs
   std::uint32_t robots = 1;
   std::uint32_t agents_per_process = 1;  ///< robots that share a process live and die together
   std::string awaited;                   ///< observer without whom the world does not begin

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/launcher/run_dds.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <string>
 
+#include "deploy/launcher/run_commands.hpp"
 #include "deploy/launcher/standstill.hpp"
 #include "deploy/observer/observer.hpp"
 #include "deploy/observer/run_end.hpp"
@@ -64,8 +64,6 @@ class DdsRun {
     return request_.folder / "logs";
   }
   void start_everybody();
-  void start_agents(std::uint32_t first, std::uint32_t last);
-  void start(const std::string& name, const std::string& program, std::vector<std::string> arguments);
   /// Until the run is decided, interrupted or lost.
   void follow();
   void look();
@@ -94,48 +92,27 @@ class DdsRun {
   Observer::News newest_;
 };
 
-void DdsRun::start(const std::string& name, const std::string& program, std::vector<std::string> arguments) {
-  const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  std::vector<std::string> line{folder / program,
-                                "--scenario",
-                                request_.scenario_file,
-                                "--domain",
-                                std::to_string(request_.domain),
-                                "--lease",
-                                std::to_string(lease_s()),
-                                "--transport",
-                                to_text(request_.transport)};
-  line.insert(line.end(), arguments.begin(), arguments.end());
-  children_.start(name, line);
-}
-
-void DdsRun::start_agents(std::uint32_t first, std::uint32_t last) {
-  const std::string one = std::to_string(first);
-  const std::string several = one + "-" + std::to_string(last);
-  if (first == last) {
-    start("robot_agent_" + one, "robot_agent", {"--robot", one});
-  } else {
-    start("robot_agent_" + several, "robot_agent", {"--robots", several});
-  }
-  ++agent_processes_;
-}
-
 void DdsRun::start_everybody() {
   if (!request_.quiet) {
     std::printf("DDS domain %u, logs in %s\n", request_.domain, (request_.folder / "logs").c_str());
     std::fflush(stdout);
   }
-  std::vector<std::string> of_world = {"--await", kObserverName};
-  std::vector<std::string> of_radio;
+  const RunSetup setup{.binaries = std::filesystem::read_symlink("/proc/self/exe").parent_path(),
+                       .scenario = request_.scenario_file,
+                       .domain = request_.domain,
+                       .transport = request_.transport,
+                       .lease_s = lease_s()};
+  std::vector<std::string> world = world_command(setup, kObserverName);
+  std::vector<std::string> radio = radio_command(setup);
   if (request_.trace) {
-    of_world.insert(of_world.end(), {"--trace", experiment::world_trace_in(*request_.trace)});
-    of_radio = {"--trace", experiment::radio_trace_in(*request_.trace)};
+    world.insert(world.end(), {"--trace", experiment::world_trace_in(*request_.trace)});
+    radio.insert(radio.end(), {"--trace", experiment::radio_trace_in(*request_.trace)});
   }
-  start("world_server", "world_server", of_world);
-  start("radio_emulator", "radio_emulator", of_radio);
-  const std::uint32_t robots = request_.facts.robots;
-  for (std::uint32_t first = 1; first <= robots; first += request_.agents_per_process) {
-    start_agents(first, std::min(robots, first + request_.agents_per_process - 1));
+  children_.start("world_server", world);
+  children_.start("radio_emulator", radio);
+  for (const RobotGroup& group : groups_of(request_.facts.robots, request_.agents_per_process)) {
+    children_.start("robot_agent_" + in_words(group), agent_command(setup, in_words(group)));
+    ++agent_processes_;
   }
   children_.watch();
 }

@@ -1,51 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/host/children.hpp"
 
-#include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <utility>
 
-#include "runtime/config/start_error.hpp"
+#include "runtime/host/spawn.hpp"
 
 namespace caravan::runtime {
-namespace {
-
-/// In the child between fork and exec: nothing but system calls.
-[[noreturn]] void become(const std::vector<char*>& arguments, int log, pid_t parent,
-                         const std::vector<int>& shared) {
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  signal(SIGPIPE, SIG_DFL);
-  // A group of its own: Ctrl-C at the terminal goes to the launcher alone, which stops everybody in order.
-  setpgid(0, 0);
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  if (getppid() != parent) _exit(1);
-  dup2(log, STDOUT_FILENO);
-  dup2(log, STDERR_FILENO);
-  unsigned first = STDERR_FILENO + 1;  // this process's DDS sockets are not the child's
-  for (const int kept : shared) {
-    if (static_cast<unsigned>(kept) > first) close_range(first, static_cast<unsigned>(kept) - 1, 0);
-    first = static_cast<unsigned>(kept) + 1;
-  }
-  close_range(first, ~0U, 0);
-  execv(arguments[0], arguments.data());
-  _exit(127);
-}
-
-}  // namespace
-
 Children::Children(std::filesystem::path log_folder, std::function<void()> on_end, std::vector<int> shared)
-    : log_folder_{std::move(log_folder)}, on_end_{std::move(on_end)}, shared_{std::move(shared)} {
-  std::sort(shared_.begin(), shared_.end());
-}
+    : log_folder_{std::move(log_folder)}, on_end_{std::move(on_end)}, shared_{std::move(shared)} {}
 
 Children::~Children() {
   stop(std::chrono::seconds{3});
@@ -58,21 +23,9 @@ Children::~Children() {
 }
 
 void Children::start(const std::string& name, const std::vector<std::string>& command_line) {
-  const std::string log_file = log_folder_ / (name + ".log");
-  const int log = open(log_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (log < 0) throw StartError{log_file + ": " + std::strerror(errno)};
-  std::vector<std::string> words = command_line;
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  const pid_t parent = getpid();
   {
     const std::lock_guard lock{mutex_};  // the waiter must not see its end before it has a name
-    const pid_t pid = fork();
-    if (pid == 0) become(arguments, log, parent, shared_);
-    close(log);
-    if (pid < 0) throw StartError{"cannot start " + name + ": " + std::strerror(errno)};
-    running_[pid] = name;
+    running_[spawn(command_line, log_folder_ / (name + ".log"), {.shared = shared_})] = name;
   }
   started_.notify_all();
 }

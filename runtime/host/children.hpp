@@ -56,7 +56,7 @@ class Children {
 
   std::filesystem::path log_folder_;
   std::function<void()> on_end_;
-  std::vector<int> shared_;  // sorted
+  std::vector<int> shared_;
   mutable std::mutex mutex_;
   std::condition_variable started_;
   std::condition_variable none_left_;

@@ -50,7 +50,7 @@ ALLOWED = {
     "deploy/observer": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "experiment/metrics"],
     "deploy/launcher": [*PROCESS, DDS, TRUTH_TYPES, "deploy/observer", "experiment/metrics", "experiment/run_request.hpp"],
     "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, JSON, GTEST, "deploy/control", "deploy/observer",
-                   "experiment/metrics", "robot_agent/core/radio/frames"],
+                   "deploy/launcher/run_commands.hpp", "experiment/metrics", "robot_agent/core/radio/frames"],
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
     "deploy/doctor": [STD, POSIX, "runtime"],
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/host", "runtime/bus/transport.hpp", "deploy",

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "runtime/bus/transport.hpp"
+
+namespace caravan::deploy {
+
+/// What all processes of a run have in common.
+struct RunSetup {
+  std::filesystem::path binaries;  ///< folder of world_server and the others
+  std::filesystem::path scenario;  ///< as they read it
+  std::uint32_t domain = 0;
+  runtime::Transport transport = runtime::Transport::kSharedMemory;
+  double lease_s = 5.0;  ///< silent for so long, a process counts as gone
+};
+
+/// Robots that share a process: first .. last.
+struct RobotGroup {
+  std::uint32_t first = 1;
+  std::uint32_t last = 1;
+};
+/// The groups of robots 1 .. robots, `size` in each; the last may be smaller. @pre size > 0
+[[nodiscard]] std::vector<RobotGroup> groups_of(std::uint32_t robots, std::uint32_t size);
+/// "3", or "1-4"
+[[nodiscard]] std::string in_words(const RobotGroup& group);
+
+/// Command lines; the first word is the program's path. More options may follow.
+/// @param awaited  observer without whom the world does not begin
+[[nodiscard]] std::vector<std::string> world_command(const RunSetup& run, const std::string& awaited);
+[[nodiscard]] std::vector<std::string> radio_command(const RunSetup& run);
+/// @param robots  as in_words() has them
+[[nodiscard]] std::vector<std::string> agent_command(const RunSetup& run, const std::string& robots);
+
+}  // namespace caravan::deploy
