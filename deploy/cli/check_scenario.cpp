@@ -25,12 +25,11 @@ std::string in_words(agent::Sharing sharing) {
 
 }  // namespace
 
-experiment::RunFacts check_scenario(const runtime::TomlDocument& scenario) {
+experiment::RunFacts check_tables(const runtime::TomlDocument& scenario) {
   const world::WorldConfig world_config = world::load_world_config(scenario);
   (void)radio::load_radio_config(scenario);
   (void)bridge::read_bridge(scenario);
   const agent::Config agent_config = agent::load_config(scenario, 1);
-  const world::World trial{world_config};
   const std::chrono::duration<double> max_time{world_config.experiment.max_time_s};
   return {.scenario = name_of(scenario),
           .engine = {},
@@ -39,6 +38,12 @@ experiment::RunFacts check_scenario(const runtime::TomlDocument& scenario) {
           .robots = world_config.robots.count,
           .items = world_config.experiment.items,
           .max_time = std::chrono::duration_cast<experiment::Time>(max_time)};
+}
+
+experiment::RunFacts check_scenario(const runtime::TomlDocument& scenario) {
+  experiment::RunFacts facts = check_tables(scenario);
+  const world::World trial{world::load_world_config(scenario)};
+  return facts;
 }
 
 }  // namespace caravan::deploy

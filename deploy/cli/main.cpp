@@ -43,7 +43,7 @@ void write_first_file(const std::filesystem::path& file, const std::string& text
 int run(const deploy::RunCommand& command) {
   runtime::Loop loop;
   const auto original = runtime::TomlDocument::load(command.scenario);
-  (void)deploy::check_scenario(original);  // first, because only the original knows the lines
+  (void)deploy::check_tables(original);  // first, because only the original knows the lines
   const std::string text = deploy::effective_text(original, command.overrides);
   const auto effective =
       runtime::TomlDocument::parse(text, command.scenario.string() + " with the command line's changes");
