@@ -1,44 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/kit/tally.hpp"
 
-#include <nlohmann/json.hpp>
-
-#include "experiment/metrics/metrics_json.hpp"
+#include "experiment/metrics/metric_table.hpp"
+#include "runtime/pure/overload.hpp"
 
 namespace caravan::deploy {
 namespace {
 
-using Json = nlohmann::json;
+using experiment::About;
+using experiment::MetricValue;
 
-/// As text, number or yes and no.
-std::optional<Tally::Number> to_number(const Json& value) {
-  if (value.is_number()) return value.get<double>();
-  if (value.is_boolean()) return std::string{value.get<bool>() ? "yes" : "no"};
-  if (value.is_string()) return value.get<std::string>();
-  return std::nullopt;
+/// As text, number or yes and no; none: null, or a list.
+std::optional<Tally::Number> to_number(const MetricValue& value) {
+  using Number = std::optional<Tally::Number>;
+  return std::visit(pure::Overload{[](double number) { return Number{number}; },
+                                   [](std::uint64_t count) { return Number{static_cast<double>(count)}; },
+                                   [](bool claim) { return Number{claim ? "yes" : "no"}; },
+                                   [](const std::string& word) { return Number{word}; },
+                                   [](std::monostate) { return Number{}; },
+                                   [](const std::vector<std::string>&) { return Number{}; }},
+                    value);
 }
 
-/// `exchanges.completed` is a member of a member.
-const Json* member(const Json& json, const std::string& key) {
-  const std::size_t dot = key.find('.');
-  const auto found = json.find(key.substr(0, dot));
-  if (found == json.end()) return nullptr;
-  return dot == std::string::npos ? &*found : member(*found, key.substr(dot + 1));
-}
-
-MetricKeys keys_of(const Json& metrics) {
-  // Of the scenario, which the test has written itself; and what only the end of a run decides.
-  const std::set<std::string> left_out{"scenario", "engine",  "mode",        "seed",     "robots",
-                                       "ended",    "failure", "interrupted", "per_robot"};
+/// Of the others, the test has written those of the scenario itself, and only the end of a run decides the
+/// rest.
+MetricKeys make_keys() {
   MetricKeys keys;
-  for (const auto& [name, value] : metrics.items()) {
-    if (left_out.contains(name)) continue;
-    if (!value.is_object()) keys.of_run.insert(name);
-    if (!value.is_object()) continue;
-    for (const auto& [inner, ignored] : value.items()) keys.of_run.insert(name + "." + inner);
+  for (const experiment::Metric& metric : experiment::metrics_table()) {
+    if (!metric.key.empty() && metric.about == About::kResult) keys.of_run.emplace(metric.key);
   }
-  for (const auto& [name, value] : metrics.at("per_robot").at(0).items()) {
-    if (name != "id") keys.of_robot.insert(name);
+  for (const experiment::RobotMetric& metric : experiment::robot_metrics()) {
+    if (metric.key != "id") keys.of_robot.emplace(metric.key);
   }
   return keys;
 }
@@ -51,6 +43,7 @@ Tally::Tally(experiment::RunFacts facts)
 void Tally::observe(const experiment::Observation& observation) {
   const std::lock_guard lock{mutex_};
   metrics_.observe(observation);
+  result_.reset();
   for (const experiment::EventRow& row : book_.observe(observation)) {
     Kind& kind = events_[{row.event, row.robot}];
     ++kind.count;
@@ -65,11 +58,14 @@ void Tally::note(const experiment::RunEnd& end) {
 
 std::optional<Tally::Number> Tally::metric(const std::string& key, std::uint32_t robot) const {
   const std::lock_guard lock{mutex_};
-  const Json json = Json::parse(experiment::metrics_json(facts_, metrics_.result(), end_, false));
-  const Json& robots = json.at("per_robot");
-  if (robot > robots.size()) return std::nullopt;
-  const Json* found = member(robot == 0 ? json : robots[robot - 1], key);
-  return found == nullptr ? std::nullopt : to_number(*found);
+  if (!result_) result_ = metrics_.result();
+  if (robot == 0) {
+    const experiment::Metric* metric = experiment::find_metric(key);
+    return metric == nullptr ? std::nullopt : to_number(metric->of_run({facts_, *result_, end_, false}));
+  }
+  const experiment::RobotMetric* metric = experiment::find_robot_metric(key);
+  if (metric == nullptr || robot > result_->robots.size()) return std::nullopt;
+  return to_number(metric->value(result_->robots[robot - 1]));
 }
 
 std::uint32_t Tally::events(const std::string& kind, std::uint32_t robot) const {
@@ -88,8 +84,7 @@ std::optional<std::string> Tally::detail(const std::string& kind, std::uint32_t 
 }
 
 const MetricKeys& metric_keys() {
-  static const MetricKeys keys = keys_of(Json::parse(
-      experiment::metrics_json({}, experiment::Metrics{1}.result(), experiment::RunEnd{}, false)));
+  static const MetricKeys keys = make_keys();
   return keys;
 }
 

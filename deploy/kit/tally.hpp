@@ -45,6 +45,8 @@ class Tally {
   experiment::RunFacts facts_;
   experiment::RunEnd end_;
   experiment::Metrics metrics_;
+  mutable std::optional<experiment::Result>
+      result_;  // of metrics_, when it was asked for since the newest step
   experiment::EventBook book_;
   std::map<std::pair<std::string, std::uint32_t>, Kind> events_;
 };

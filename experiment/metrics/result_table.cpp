@@ -2,9 +2,14 @@
 #include "experiment/metrics/result_table.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
 
 #include "experiment/metrics/csv_file.hpp"
+#include "experiment/metrics/metric_table.hpp"
+#include "runtime/pure/assert.hpp"
 
 namespace caravan::experiment {
 namespace {
@@ -44,58 +49,96 @@ std::string heading(const RunFacts& facts, const Result& result, const RunEnd& e
   return text + (end.disturbed ? " (disturbed)" : "") + "\n";
 }
 
-std::string path_line(const Result& result) {
+/// The metrics of one run by their names, as people read them.
+class Shown {
+ public:
+  explicit Shown(const RunView& run) : run_{run}, robots_{numbers_of_robots(run.result)} {}
+
+  /// @param name  its key, or its column when it has no key. A name that no metric has is a bug.
+  [[nodiscard]] MetricValue value(std::string_view name) const {
+    const Metric* metric = find_metric(name);
+    if (metric != nullptr) return metric->of_run(run_);
+    const auto found = std::ranges::find(metrics_table(), name, &Metric::column);
+    CARAVAN_ASSERT(found != metrics_table().end() && found->of_robots != nullptr);
+    const std::optional<double> number = found->of_robots(robots_);
+    return number ? MetricValue{*number} : MetricValue{};
+  }
+
+  [[nodiscard]] std::string operator()(std::string_view name, int decimals = 0) const {
+    return in_words(value(name), decimals);
+  }
+  [[nodiscard]] std::string clock(std::string_view name) const {
+    return minutes(std::get<double>(value(name)));
+  }
+
+  [[nodiscard]] static std::string in_words(const MetricValue& value, int decimals) {
+    if (const auto* number = std::get_if<double>(&value)) return fixed(*number, decimals);
+    if (const auto* count = std::get_if<std::uint64_t>(&value)) return std::to_string(*count);
+    const auto* word = std::get_if<std::string>(&value);
+    return word == nullptr ? "-" : *word;
+  }
+
+ private:
+  const RunView& run_;
+  std::vector<RobotNumbers> robots_;
+};
+
+std::string items_line(const Shown& shown, const RunFacts& facts) {
+  const bool has_trip = std::get<double>(shown.value("round_trip_mean_s")) > 0.0;
+  return "items       " + shown("items_delivered") +
+         (facts.items > 0 ? " of " + std::to_string(facts.items) : std::string{}) + " in " +
+         shown.clock("sim_time_s") + " simulated (" + shown("wall_time_s", 1) + " s, " +
+         shown("real_time_factor", 1) + " x real time); mean round trip " +
+         (has_trip ? shown.clock("round_trip_mean_s") : "-") + "\n";
+}
+
+std::string path_line(const Shown& shown, const Result& result) {
   std::vector<double> lengths_m;
-  std::size_t found = 0;
-  std::size_t received = 0;
   for (const RobotResult& robot : result.robots) {
-    found += robot.found ? 1U : 0U;
-    received += robot.received ? 1U : 0U;
     if (robot.path_length_m) lengths_m.push_back(*robot.path_length_m);
   }
-  std::string text = "paths       " + std::to_string(found) + " found, " + std::to_string(received) +
-                     " received, " + std::to_string(result.robots.size() - found - received) + " without";
+  std::string text = "paths       " + shown("found") + " found, " + shown("received") + " received, " +
+                     shown("without_path") + " without";
   if (!lengths_m.empty()) {
-    const auto [least, most] = std::minmax_element(lengths_m.begin(), lengths_m.end());
-    const double sum_m = std::accumulate(lengths_m.begin(), lengths_m.end(), 0.0);
-    text += "; mean length " + fixed(sum_m / static_cast<double>(lengths_m.size()), 1) + " m (" +
-            fixed(*least, 1) + " to " + fixed(*most, 1) + "); routes " + std::to_string(result.routes);
+    const auto [least, most] = std::ranges::minmax_element(lengths_m);
+    text += "; mean length " + shown("path_length_mean_m", 1) + " m (" + fixed(*least, 1) + " to " +
+            fixed(*most, 1) + "); routes " + shown("routes");
   }
   return text + "\n";
 }
 
+std::string robots_heading() {
+  std::string text;
+  for (const RobotMetric& metric : robot_metrics()) text += metric.heading;
+  return text + "\n";
+}
+
 std::string robot_line(const RobotResult& robot) {
-  const auto time_or_dash = [](const std::optional<Time>& time) {
-    return time ? minutes(*time) : std::string{"-"};
-  };
-  return right(std::to_string(robot.id), 5) + right(time_or_dash(robot.found), 9) +
-         right(time_or_dash(robot.received), 10) + right(std::to_string(robot.items), 7) +
-         right(robot.path_length_m ? fixed(*robot.path_length_m, 1) : "-", 9) +
-         right(minutes(robot.times.driving), 10) + right(minutes(robot.times.exchanging), 12) +
-         right(minutes(robot.times.avoiding), 10) + right(minutes(robot.times.stuck), 8) +
-         right(minutes(robot.times.idle), 8) + "\n";
+  std::string text;
+  for (const RobotMetric& metric : robot_metrics()) {
+    const MetricValue value = metric.value(robot);
+    const auto* time_s = metric.unit == "s" ? std::get_if<double>(&value) : nullptr;
+    const std::string word = time_s != nullptr ? minutes(*time_s) : Shown::in_words(value, 1);
+    if (!metric.heading.empty()) text += right(word, metric.heading.size());
+  }
+  return text + "\n";
 }
 
 }  // namespace
 
 std::string result_table(const RunFacts& facts, const Result& result, const RunEnd& end) {
-  const double speed = end.wall_time_s > 0.0 ? in_seconds(result.sim_time) / end.wall_time_s : 0.0;
+  const RunView run{facts, result, end};
+  const Shown shown{run};
   std::string text = heading(facts, result, end);
-  text += "items       " + std::to_string(result.items_delivered);
-  if (facts.items > 0) text += " of " + std::to_string(facts.items);
-  text += " in " + minutes(result.sim_time) + " simulated (" + fixed(end.wall_time_s, 1) + " s, " +
-          fixed(speed, 1) + " x real time); mean round trip " +
-          (result.round_trip_mean_s > 0.0 ? minutes(result.round_trip_mean_s) : std::string{"-"}) + "\n";
-  text += path_line(result);
-  text += "exchanges   " + std::to_string(result.exchanges_completed) + " completed, " +
-          std::to_string(result.exchanges_failed) + " failed; mean duration " +
-          fixed(result.exchange_mean_s, 2) + " s\n";
-  text += "contacts    " + std::to_string(result.robot_robot_contacts) + " robot with robot, " +
-          std::to_string(result.robot_static_contacts) + " robot with something static\n";
-  text += "digest      " + end.digest + "\n";
+  text += items_line(shown, facts);
+  text += path_line(shown, result);
+  text += "exchanges   " + shown("exchanges.completed") + " completed, " + shown("exchanges.failed") +
+          " failed; mean duration " + shown("exchanges.mean_duration_s", 2) + " s\n";
+  text += "contacts    " + shown("contacts.robot_robot") + " robot with robot, " +
+          shown("contacts.robot_static") + " robot with something static\n";
+  text += "digest      " + shown("digest") + "\n";
   for (const std::string& one : end.strangers) text += "stranger    " + one + "\n";
-  text += "\n";
-  text += "robot    found  received  items  path, m   driving  exchanging  avoiding   stuck    idle\n";
+  text += "\n" + robots_heading();
   for (const RobotResult& robot : result.robots) text += robot_line(robot);
   return text + "(times in simulated minutes:seconds)\n";
 }

@@ -3,20 +3,14 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <span>
-#include <string>
 #include <vector>
+
+#include "experiment/metrics/metric_table.hpp"
 
 namespace caravan::experiment {
 
-/// A number that each run comes to: a column of runs.csv, and a row of summary.csv.
-struct Quantity {
-  std::string name;
-  bool repeats = true;  ///< false: wall time, which the same run does not give again
-};
-
-/// In the order of the columns. docs/outputs.md says what they mean.
-[[nodiscard]] std::span<const Quantity> quantities();
+/// The metrics that are a column of runs.csv and a row of summary.csv, in this order.
+[[nodiscard]] const std::vector<Metric>& quantities();
 
 /// Their values in a run's metrics.json, in the same order; none where the run has no such number.
 ///

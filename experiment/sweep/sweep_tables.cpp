@@ -47,9 +47,9 @@ std::vector<double> sample(const SweepPlan& plan, std::span<const RunRow> rows, 
 }
 
 std::size_t column_of(const std::string& name) {
-  const auto all = quantities();
+  const auto& all = quantities();
   std::size_t column = 0;
-  while (all[column].name != name) ++column;
+  while (all[column].column != name) ++column;
   return column;
 }
 
@@ -83,7 +83,7 @@ std::string sweep_json(const SweepPlan& plan, std::span<const RunRow> rows, Swee
 
 std::string runs_csv(const SweepPlan& plan, std::span<const RunRow> rows) {
   std::vector<std::string> header = {"index", "mode", "seed", "state", "reason", "digest"};
-  for (const Quantity& quantity : quantities()) header.push_back(quantity.name);
+  for (const Metric& quantity : quantities()) header.emplace_back(quantity.column);
   std::string text = csv_row(header);
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     std::vector<std::string> fields = {
@@ -103,10 +103,11 @@ std::string summary_csv(const SweepPlan& plan, std::span<const RunRow> rows) {
       csv_row({"mode", "quantity", "n", "minimum", "lower_quartile", "median", "upper_quartile", "maximum"});
   for (const std::string& mode : plan.modes) {
     for (std::size_t column = 0; column < quantities().size(); ++column) {
-      const Quantity& quantity = quantities()[column];
+      const Metric& quantity = quantities()[column];
       if (!quantity.repeats) continue;
       const auto five = five_numbers(sample(plan, rows, mode, column));
-      std::vector<std::string> fields = {mode, quantity.name, std::to_string(five ? five->n : 0)};
+      std::vector<std::string> fields = {mode, std::string{quantity.column},
+                                         std::to_string(five ? five->n : 0)};
       for (const auto number : {&FiveNumbers::minimum, &FiveNumbers::lower_quartile, &FiveNumbers::median,
                                 &FiveNumbers::upper_quartile, &FiveNumbers::maximum}) {
         fields.push_back(five ? exact((*five).*number) : "");

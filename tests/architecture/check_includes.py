@@ -49,7 +49,7 @@ ALLOWED = {
     "experiment/report": [STD, POSIX, "runtime/config", "runtime/process"],
     "deploy/observer": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "experiment/metrics"],
     "deploy/launcher": [*PROCESS, DDS, TRUTH_TYPES, "deploy/observer", "experiment/metrics", "experiment/run_request.hpp"],
-    "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, JSON, GTEST, "deploy/control", "deploy/observer",
+    "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, GTEST, "deploy/control", "deploy/observer",
                    "deploy/launcher/run_commands.hpp", "experiment/metrics", "robot_agent/core/radio/frames"],
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
     "deploy/doctor": [STD, POSIX, "runtime"],

@@ -37,7 +37,7 @@ TEST_F(RunFolder, WithCompleteMetricsIsDoneAndGivesEveryQuantity) {
   ASSERT_EQ(row.values.size(), quantities().size());
   const auto value = [&row](const std::string& name) {
     for (std::size_t i = 0; i < quantities().size(); ++i) {
-      if (quantities()[i].name == name) return row.values[i].value_or(-1.0);
+      if (quantities()[i].column == name) return row.values[i].value_or(-1.0);
     }
     return -2.0;
   };
