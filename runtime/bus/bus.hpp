@@ -64,8 +64,9 @@ class Bus {
   [[nodiscard]] const ParticipantId& id() const;
   [[nodiscard]] const Identity& identity() const;
 
+  /// @tparam Support makes bytes of samples
   /// @param robot fills the "<i>" of the topic's name
-  template <typename PubSubType>
+  template <typename PubSubType, typename Support = CheckedType<PubSubType>>
   [[nodiscard]] Writer<PubSubType> writer(const idl::Topic& topic, std::uint32_t robot = 0);
 
   /// Calls `handle(sample, sender)` for each sample as it arrives, when its bytes are of the type and its
@@ -119,9 +120,9 @@ bool Writer<PubSubType>::write(Sample& sample) {
   return detail::write_sample(writer_, &sample);
 }
 
-template <typename PubSubType>
+template <typename PubSubType, typename Support>
 Writer<PubSubType> Bus::writer(const idl::Topic& topic, std::uint32_t robot) {
-  return Writer<PubSubType>{make_writer(topic, robot, new CheckedType<PubSubType>{})};
+  return Writer<PubSubType>{make_writer(topic, robot, new Support{})};
 }
 
 template <typename PubSubType, typename Handler>

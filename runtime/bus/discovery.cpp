@@ -15,7 +15,6 @@ namespace {
 constexpr std::size_t kMostUntold = 64;
 
 /// What other makes say of their process (Cyclone DDS does), for one that has not named itself as ours do.
-template <typename Properties>
 Identity stated_identity(const std::string& name, const Properties& properties) {
   Identity identity = to_identity(name);
   if (identity.started_ms != 0) return identity;

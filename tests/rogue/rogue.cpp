@@ -93,7 +93,7 @@ class Rogue {
  private:
   template <typename PubSubType>
   void add(const idl::Topic& topic, std::uint32_t robot) {
-    auto writer = bus_.writer<RawType<PubSubType>>(topic, robot);
+    auto writer = bus_.writer<RawType<PubSubType>, RawType<PubSubType>>(topic, robot);
     attacks_.emplace_back([this, writer]() mutable {
       Bytes bytes;
       const std::uint32_t way = forger_.below(8);

@@ -24,7 +24,7 @@ std::optional<Refusal> read(const Bytes& bytes, typename Type::type* into = null
   typename Type::type sample;
   test::Payload payload{static_cast<std::uint32_t>(bytes.size())};
   EXPECT_TRUE(test::write_bytes(bytes, payload));
-  EXPECT_TRUE(test::read_bytes(type, payload, into == nullptr ? &sample : into));
+  EXPECT_TRUE(type.read(payload, into == nullptr ? &sample : into));
   return detail::refusal_of_this_thread();
 }
 
