@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """deploy/chroot: what it refuses, in one line each, and that a command leaves nothing mounted and nobody running. What needs a Debian that
-is made already (build/chroot) is skipped where there is none."""
+is made already (build/chroot) is skipped where there is none. tests/run --both: that the other release counts as skipped where none can be made."""
 
+import fcntl
 import os
 import pathlib
 import shutil
@@ -23,6 +24,14 @@ def run(line: list, **more) -> subprocess.CompletedProcess:
 def mounts() -> str:
     """Without what other tests mount meanwhile."""
     return "\n".join(line for line in pathlib.Path("/proc/self/mountinfo").read_text().splitlines() if "chroot" in line)
+
+
+def programs_without_debootstrap(folder: str) -> pathlib.Path:
+    programs = pathlib.Path(folder) / "bin"
+    programs.mkdir()
+    for name in ("bash", "id", "dirname", "mkdir", "flock", "realpath", "apt-get", "mktemp", "timeout", "tail"):
+        (programs / name).symlink_to(shutil.which(name) or "/nowhere")
+    return programs
 
 
 class Refusals(unittest.TestCase):
@@ -49,16 +58,52 @@ class Refusals(unittest.TestCase):
     @unittest.skipUnless(IS_ROOT, "needs root")
     def test_wants_debootstrap(self):
         with tempfile.TemporaryDirectory() as folder:
-            programs = pathlib.Path(folder) / "bin"
-            programs.mkdir()
-            for name in ("bash", "id", "dirname", "mkdir", "flock", "realpath", "apt-get"):
-                (programs / name).symlink_to(shutil.which(name) or "/nowhere")
-            self.check_refusal(["env", f"PATH={programs}", CHROOT, "--folder", folder, "13", "true"], "debootstrap is not installed")
+            self.check_refusal(["env", f"PATH={programs_without_debootstrap(folder)}", CHROOT, "--folder", folder, "13", "true"], "debootstrap is not installed")
 
     @unittest.skipUnless(IS_ROOT and shutil.which("debootstrap"), "needs root and debootstrap")
     def test_says_that_the_mirror_is_out_of_reach(self):
         with tempfile.TemporaryDirectory() as folder:
             self.check_refusal(["unshare", "--net", CHROOT, "--folder", folder, "13", "true"], "cannot be reached")
+
+
+@unittest.skipUnless(IS_ROOT, "needs root")
+class OtherRelease(unittest.TestCase):
+    """What tests/run --both does where it cannot try the other release: it says why, and nothing fails."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def check_skipped(self, before: list, words: str, end_s: str = ""):
+        count = '. tests/other_release.sh; passed=0 failed=0 skipped=0; test_other_release "$1" "$2"; echo $passed $failed $skipped'
+        result = run([*before, "bash", "-euo", "pipefail", "-c", count, "bash", end_s, self.folder], cwd=ROOT)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        lines = result.stdout.splitlines()
+        self.assertEqual(lines[-1], "0 0 1", result.stdout + result.stderr)
+        self.assertRegex(lines[-2], f"^Skipped on the other Debian release: .*{words}")
+
+    def test_is_skipped_without_debootstrap(self):
+        self.check_skipped(["env", f"PATH={programs_without_debootstrap(self.folder)}"], "debootstrap is not installed")
+
+    @unittest.skipUnless(shutil.which("debootstrap"), "needs debootstrap")
+    def test_is_skipped_when_the_mirror_is_out_of_reach(self):
+        self.check_skipped(["unshare", "--net"], "cannot be reached")
+
+    @unittest.skipUnless(shutil.which("setpriv"), "needs setpriv")
+    def test_is_skipped_for_one_who_is_not_root(self):
+        self.check_skipped(["setpriv", "--reuid", "65534"], "only root")
+
+    @unittest.skipUnless(shutil.which("setpriv"), "needs setpriv")
+    def test_is_skipped_where_nothing_can_be_mounted(self):
+        os.makedirs(f"{self.folder}/root/etc")
+        self.check_skipped(["setpriv", "--bounding-set", "-sys_admin"], "Operation not permitted")
+
+    def test_is_skipped_when_its_time_is_over(self):
+        # Who makes it now takes for ever, as with a mirror that sends nothing.
+        with open(f"{self.folder}/lock", "w", encoding="ascii") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            self.check_skipped([], "did not come within 1 s", end_s="1")
 
 
 @unittest.skipUnless(MADE and IS_ROOT, "no Debian is made in build/chroot, or not root")
