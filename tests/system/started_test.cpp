@@ -47,6 +47,24 @@ TEST_F(Started, AgentsMayComeOneByOneAndTheWorldSaysWhoIsMissing) {
   EXPECT_TRUE(comes("it starts", "step > 50 and members is 4 and disturbed is no"));
 }
 
+// They send nothing but announcements then.
+TEST_F(Started, RobotsThatWaitForAnotherAreNotLost) {
+  const std::chrono::duration<double> three_leases{3.0 * short_lease_s()};
+  start_busy(kPatientStart);
+  ASSERT_TRUE(does("start world"));
+  ASSERT_TRUE(does("start radio"));
+  ASSERT_TRUE(does("start robot 1-3"));
+  ASSERT_TRUE(comes("one is missing",
+                    "missing lacks \"robot 1\" and missing lacks \"robot 2\" and "
+                    "missing lacks \"robot 3\" and missing has \"robot 4\""));
+  const auto began = std::chrono::steady_clock::now();
+  ASSERT_TRUE(comes(
+      "three leases are over",
+      [&](const deploy::Seen&) { return std::chrono::steady_clock::now() - began > three_leases; },
+      std::chrono::duration_cast<std::chrono::milliseconds>(2.0 * three_leases)));
+  EXPECT_TRUE(comes("nobody was lost", "log world lacks \"robot lost\"", 1s));
+}
+
 TEST_F(Started, FifteenAgentsMayComeAtOnce) {
   deploy({.scenario = scenario("paper.toml"), .changes = kPatientStart, .lease_s = 60.0});
   ASSERT_TRUE(does("start world"));
