@@ -29,7 +29,7 @@ def mounts() -> str:
 def programs_without_debootstrap(folder: str) -> pathlib.Path:
     programs = pathlib.Path(folder) / "bin"
     programs.mkdir()
-    for name in ("bash", "id", "dirname", "mkdir", "flock", "realpath", "apt-get", "mktemp", "timeout", "tail"):
+    for name in ("bash", "id", "dirname", "mkdir", "flock", "realpath", "apt-get", "mktemp", "timeout", "tail", "rm"):
         (programs / name).symlink_to(shutil.which(name) or "/nowhere")
     return programs
 
