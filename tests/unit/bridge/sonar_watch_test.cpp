@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "hardware_bridge/core/host/sonar_watch.hpp"
 
 namespace caravan::bridge {

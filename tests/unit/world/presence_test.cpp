@@ -2,6 +2,7 @@
 // Robots that are taken out of the world and put back in.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/unit/world/worlds.hpp"
