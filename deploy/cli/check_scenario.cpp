@@ -11,7 +11,7 @@
 namespace caravan::deploy {
 namespace {
 
-std::string in_words(agent::Sharing sharing) {
+std::string to_text(agent::Sharing sharing) {
   switch (sharing) {
     case agent::Sharing::kNone:
       return "none";
@@ -33,7 +33,7 @@ experiment::RunFacts check_tables(const runtime::TomlDocument& scenario) {
   const std::chrono::duration<double> max_time{world_config.experiment.max_time_s};
   return {.scenario = name_of(scenario),
           .engine = {},
-          .mode = in_words(agent_config.sharing),
+          .mode = to_text(agent_config.sharing),
           .seed = world_config.seed,
           .robots = world_config.robots.count,
           .items = world_config.experiment.items,

@@ -104,7 +104,7 @@ int run_ctl(std::uint32_t domain, runtime::Transport transport, const std::vecto
   // Not even looked at: whoever joins only gets in the way of processes that cannot use its shared memory.
   if (const auto other = runtime::other_user_in(domain);
       other && transport == runtime::Transport::kSharedMemory) {
-    const std::string user = runtime::user_in_words(*other);
+    const std::string user = runtime::user_text(*other);
     std::fprintf(stderr, "the run in DDS domain %u is another user's (%s): ask as %s\n", domain, user.c_str(),
                  user.c_str());
     return runtime::kFailed;
@@ -118,7 +118,7 @@ int run_ctl(std::uint32_t domain, runtime::Transport transport, const std::vecto
   if (!status) {
     const auto holder = runtime::holder_of(domain);
     const std::string who =
-        holder ? ", though a run holds it (" + in_words(*holder) + "): is --transport that run's?" : "";
+        holder ? ", though a run holds it (" + to_text(*holder) + "): is --transport that run's?" : "";
     std::fprintf(stderr, "no world in DDS domain %u%s\n", domain, who.c_str());
     bus.close();
     return runtime::kFailed;

@@ -9,7 +9,7 @@
 namespace caravan::deploy {
 namespace {
 
-std::string in_words(const Value& value) {
+std::string to_text(const Value& value) {
   if (!value) return "unknown";
   if (const double* number = std::get_if<double>(&*value)) {
     std::array<char, 32> text{};
@@ -102,7 +102,7 @@ bool Condition::asks_for(std::string_view quantity) const {
 std::string Condition::values(const Seen& seen) const {
   std::string text;
   for (const Part& part : parts_)
-    text += (text.empty() ? "" : ", ") + part.name + " = " + in_words(part.quantity(seen));
+    text += (text.empty() ? "" : ", ") + part.name + " = " + to_text(part.quantity(seen));
   return text;
 }
 

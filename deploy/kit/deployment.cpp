@@ -76,17 +76,17 @@ Deployment::Deployment(DeploymentOptions options)
                   .folder = options_.folder,
                   .robots = robots_,
                   .agents_per_process = options_.agents_per_process,
-                  .awaited = Ears::kName,
+                  .awaited = RunListener::kName,
                   .arguments = options_.arguments},
                  [this](const std::string& name) {
-                   if (name == "world") ears_->forget_world();
-                   if (name == "radio") ears_->forget_radio();
+                   if (name == "world") listener_->forget_world();
+                   if (name == "radio") listener_->forget_radio();
                  }},
-      ears_{std::make_unique<Ears>(runtime::BusConfig{.role = Ears::kName,
-                                                      .domain = lock_.domain(),
-                                                      .lease_s = options_.lease_s,
-                                                      .transport = options_.transport},
-                                   facts_of(scenario_file_), options_.hold_start)} {}
+      listener_{std::make_unique<RunListener>(runtime::BusConfig{.role = RunListener::kName,
+                                                                 .domain = lock_.domain(),
+                                                                 .lease_s = options_.lease_s,
+                                                                 .transport = options_.transport},
+                                              facts_of(scenario_file_), options_.hold_start)} {}
 
 Deployment::~Deployment() {
   processes_.note_shared_memory();
@@ -94,7 +94,7 @@ Deployment::~Deployment() {
 }
 
 ActionResult Deployment::ask(const msg::ControlRequest& request) {
-  const ControlAnswer answer = ears_->ask(request, kControlPatience);
+  const ControlAnswer answer = listener_->ask(request, kControlPatience);
   if (answer.is_good()) return {true, ""};
   if (answer.kind == ControlAnswer::Kind::kRefused) return {false, "refused: " + answer.reason};
   return {false, answer.reason + "\n" + scene(seen())};
@@ -110,7 +110,7 @@ ActionResult Deployment::hold_at(std::uint64_t step) {
 }
 
 ActionResult Deployment::step_until(const Condition& condition, std::uint64_t most) {
-  if (condition.asks_for("sends")) ears_->overhear();
+  if (condition.asks_for("sends")) listener_->overhear();
   for (std::uint64_t taken = 0; !condition.holds(seen()); ++taken) {
     const Seen now = seen();
     if (taken == most)
@@ -134,7 +134,7 @@ ActionResult Deployment::act(const std::string& line) {
                        return ActionResult{wrong.empty(), wrong};
                      },
                      [this](const Go&) {
-                       ears_->go();
+                       listener_->go();
                        return ActionResult{true, ""};
                      },
                      [this](const HoldAt& action) { return hold_at(action.step); },
@@ -147,7 +147,7 @@ ActionResult Deployment::act(const std::string& line) {
 }
 
 Seen Deployment::seen() {
-  Seen seen = ears_->seen();
+  Seen seen = listener_->seen();
   seen.processes = processes_.seen();
   if (const auto world = seen.processes.find("world"); world != seen.processes.end()) {
     if (world->second.exit_code) seen.state = "absent";
@@ -157,7 +157,7 @@ Seen Deployment::seen() {
 
 ActionResult Deployment::expect(const std::string& name, const Condition& condition,
                                 std::chrono::milliseconds within) {
-  if (condition.asks_for("sends")) ears_->overhear();
+  if (condition.asks_for("sends")) listener_->overhear();
   const auto began = Clock::now();
   for (;;) {
     const Seen now = seen();
@@ -175,7 +175,7 @@ ActionResult Deployment::expect(const std::string& name, const Condition& condit
       processes_.note_shared_memory();
       noted_ = Clock::now();
     }
-    ears_->wait_for_news(kLookPeriod);
+    listener_->wait_for_news(kLookPeriod);
   }
 }
 

@@ -13,8 +13,8 @@
 
 #include "deploy/kit/actions.hpp"
 #include "deploy/kit/condition.hpp"
-#include "deploy/kit/ears.hpp"
 #include "deploy/kit/processes.hpp"
+#include "deploy/kit/run_listener.hpp"
 #include "deploy/kit/seen.hpp"
 #include "runtime/bus/transport.hpp"
 #include "runtime/host/domain_lock.hpp"
@@ -80,7 +80,7 @@ class Deployment {
   std::filesystem::path scenario_file_;
   std::uint32_t robots_ = 0;
   Processes processes_;
-  std::unique_ptr<Ears> ears_;
+  std::unique_ptr<RunListener> listener_;
   std::chrono::steady_clock::time_point noted_{};
 };
 

@@ -46,15 +46,15 @@ class DeploymentTest : public ::testing::Test {
   [[nodiscard]] ::testing::AssertionResult does(const std::string& action) {
     return to_assertion(deployment_->act(action));
   }
-  /// EXPECT_TRUE(comes("its loss is noticed", "gone has \"robot 2\"", 8s));
-  [[nodiscard]] ::testing::AssertionResult comes(const std::string& name, const std::string& condition,
-                                                 std::chrono::milliseconds within) {
+  /// EXPECT_TRUE(happens("its loss is noticed", "gone has \"robot 2\"", 8s));
+  [[nodiscard]] ::testing::AssertionResult happens(const std::string& name, const std::string& condition,
+                                                   std::chrono::milliseconds within) {
     return to_assertion(deployment_->expect(name, Condition{condition}, within));
   }
   /// The same with a condition in C++.
-  [[nodiscard]] ::testing::AssertionResult comes(const std::string& name,
-                                                 std::function<bool(const Seen&)> condition,
-                                                 std::chrono::milliseconds within) {
+  [[nodiscard]] ::testing::AssertionResult happens(const std::string& name,
+                                                   std::function<bool(const Seen&)> condition,
+                                                   std::chrono::milliseconds within) {
     return to_assertion(deployment_->expect(name, Condition{name, std::move(condition)}, within));
   }
   /// Stops all processes and cleans up, as the end of the test does.

@@ -54,7 +54,7 @@ std::string Processes::process_of(const std::string& name) const {
   if (!name.starts_with(kRobot)) return name;
   const auto robot = static_cast<std::uint32_t>(std::stoul(name.substr(kRobot.size())));
   const RobotGroup group = group_of(robot, setup_);
-  return std::string{group.first == group.last ? kRobot : kRobots} + in_words(group);
+  return std::string{group.first == group.last ? kRobot : kRobots} + to_text(group);
 }
 
 std::vector<std::string> Processes::processes_of(const std::vector<std::string>& names) const {

@@ -30,7 +30,7 @@ std::vector<RobotGroup> groups_of(std::uint32_t robots, std::uint32_t size) {
   return groups;
 }
 
-std::string in_words(const RobotGroup& group) {
+std::string to_text(const RobotGroup& group) {
   const std::string first = std::to_string(group.first);
   return group.first == group.last ? first : first + "-" + std::to_string(group.last);
 }

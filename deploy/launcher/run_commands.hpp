@@ -27,13 +27,13 @@ struct RobotGroup {
 /// The groups of robots 1 .. robots, `size` in each; the last may be smaller. @pre size > 0
 [[nodiscard]] std::vector<RobotGroup> groups_of(std::uint32_t robots, std::uint32_t size);
 /// "3", or "1-4"
-[[nodiscard]] std::string in_words(const RobotGroup& group);
+[[nodiscard]] std::string to_text(const RobotGroup& group);
 
 /// Command lines; the first word is the program's path. More options may follow.
 /// @param awaited  observer without whom the world does not begin
 [[nodiscard]] std::vector<std::string> world_command(const RunSetup& run, const std::string& awaited);
 [[nodiscard]] std::vector<std::string> radio_command(const RunSetup& run);
-/// @param robots  as in_words() has them
+/// @param robots  as to_text() has them
 [[nodiscard]] std::vector<std::string> agent_command(const RunSetup& run, const std::string& robots);
 
 }  // namespace caravan::deploy

@@ -111,7 +111,7 @@ void DdsRun::start_everybody() {
   children_.start("world_server", world);
   children_.start("radio_emulator", radio);
   for (const RobotGroup& group : groups_of(request_.facts.robots, request_.agents_per_process)) {
-    children_.start("robot_agent_" + in_words(group), agent_command(setup, in_words(group)));
+    children_.start("robot_agent_" + to_text(group), agent_command(setup, to_text(group)));
     ++agent_processes_;
   }
   children_.watch();

@@ -10,7 +10,7 @@ namespace {
 
 std::string seconds(Time time) { return fixed(in_seconds(time), 3); }
 
-std::string in_words(const Exchange& exchange) {
+std::string to_text(const Exchange& exchange) {
   return "partner=" + std::to_string(exchange.partner) + " session=" + std::to_string(exchange.session) +
          " primary=" + (exchange.primary ? "true" : "false") +
          " completed=" + (exchange.completed ? "true" : "false") + " began_s=" + seconds(exchange.began) +
@@ -38,7 +38,7 @@ std::vector<EventRow> EventBook::observe(const Observation& observation) {
   for (const AgentReport& report : observation.agent_reports) {
     if (report.robot == 0 || report.robot > members_.size()) continue;
     for (const Exchange& exchange : report.exchanges)
-      rows.push_back({observation.stamp, report.robot, "exchange", in_words(exchange)});
+      rows.push_back({observation.stamp, report.robot, "exchange", to_text(exchange)});
     for (const Event& own : report.events)
       rows.push_back({observation.stamp, report.robot, own.name, own.detail});
   }

@@ -13,7 +13,7 @@ constexpr Time kTrackPeriod = std::chrono::seconds{1};
 std::string seconds(Time time) { return fixed(in_seconds(time), 3); }
 std::string seconds(const std::optional<Time>& time) { return time ? seconds(*time) : std::string{}; }
 
-const char* in_words(Activity activity) {
+const char* to_text(Activity activity) {
   switch (activity) {
     case Activity::kIdle:
       return "idle";
@@ -57,7 +57,7 @@ void RecordFiles::record_report(Time stamp, const AgentReport& report) {
   if (robot == nullptr) return;
   robot->mode = report.mode;
   if (robot->activity != report.activity) {
-    activities_.row({seconds(stamp), std::to_string(report.robot), in_words(report.activity)});
+    activities_.row({seconds(stamp), std::to_string(report.robot), to_text(report.activity)});
   }
   robot->activity = report.activity;
   if (report.path_changed && !report.path.empty()) {

@@ -65,13 +65,13 @@ class Shown {
   }
 
   [[nodiscard]] std::string operator()(std::string_view name, int decimals = 0) const {
-    return in_words(value(name), decimals);
+    return to_text(value(name), decimals);
   }
   [[nodiscard]] std::string clock(std::string_view name) const {
     return minutes(std::get<double>(value(name)));
   }
 
-  [[nodiscard]] static std::string in_words(const MetricValue& value, int decimals) {
+  [[nodiscard]] static std::string to_text(const MetricValue& value, int decimals) {
     if (const auto* number = std::get_if<double>(&value)) return fixed(*number, decimals);
     if (const auto* count = std::get_if<std::uint64_t>(&value)) return std::to_string(*count);
     const auto* word = std::get_if<std::string>(&value);
@@ -118,7 +118,7 @@ std::string robot_line(const RobotResult& robot) {
   for (const RobotMetric& metric : robot_metrics()) {
     const MetricValue value = metric.value(robot);
     const auto* time_s = metric.unit == "s" ? std::get_if<double>(&value) : nullptr;
-    const std::string word = time_s != nullptr ? minutes(*time_s) : Shown::in_words(value, 1);
+    const std::string word = time_s != nullptr ? minutes(*time_s) : Shown::to_text(value, 1);
     if (!metric.heading.empty()) text += right(word, metric.heading.size());
   }
   return text + "\n";

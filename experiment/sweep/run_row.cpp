@@ -29,7 +29,7 @@ RunRow row_in(const Json& metrics) {
 
 }  // namespace
 
-std::string in_words(RunState state) {
+std::string to_text(RunState state) {
   switch (state) {
     case RunState::kPending:
       return "pending";

@@ -17,7 +17,7 @@ enum class RunState : std::uint8_t {
   kDone,   ///< has a result, which may be that the time ran out
   kFailed  ///< could not be run or broke; stays in the table
 };
-[[nodiscard]] std::string in_words(RunState state);
+[[nodiscard]] std::string to_text(RunState state);
 
 /// One run as the table shows it.
 struct RunRow {

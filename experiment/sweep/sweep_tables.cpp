@@ -23,7 +23,7 @@ std::string exact(double value) {
   return {text.data(), end};
 }
 
-std::string in_words(SweepState state) {
+std::string to_text(SweepState state) {
   switch (state) {
     case SweepState::kRunning:
       return "running";
@@ -68,14 +68,14 @@ std::string spread(std::vector<double> values, double unit, int decimals) {
 }  // namespace
 
 std::string sweep_json(const SweepPlan& plan, std::span<const RunRow> rows, SweepState state) {
-  Json json = {{"scenario", plan.scenario}, {"engine", plan.engine},    {"modes", plan.modes},
-               {"seeds", plan.seeds},       {"state", in_words(state)}, {"runs", Json::array()}};
+  Json json = {{"scenario", plan.scenario}, {"engine", plan.engine},   {"modes", plan.modes},
+               {"seeds", plan.seeds},       {"state", to_text(state)}, {"runs", Json::array()}};
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     json["runs"].push_back({{"index", i},
                             {"mode", plan.runs[i].mode},
                             {"seed", plan.runs[i].seed},
                             {"folder", folder_of(plan.runs[i]).string()},
-                            {"state", in_words(rows[i].state)},
+                            {"state", to_text(rows[i].state)},
                             {"reason", rows[i].reason}});
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -87,8 +87,8 @@ std::string runs_csv(const SweepPlan& plan, std::span<const RunRow> rows) {
   std::string text = csv_row(header);
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     std::vector<std::string> fields = {
-        std::to_string(i),       plan.runs[i].mode, std::to_string(plan.runs[i].seed),
-        in_words(rows[i].state), rows[i].reason,    rows[i].digest};
+        std::to_string(i),      plan.runs[i].mode, std::to_string(plan.runs[i].seed),
+        to_text(rows[i].state), rows[i].reason,    rows[i].digest};
     for (std::size_t column = 0; column < quantities().size(); ++column) {
       const bool known = column < rows[i].values.size() && rows[i].values[column].has_value();
       fields.push_back(known ? exact(*rows[i].values[column]) : "");

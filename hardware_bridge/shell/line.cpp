@@ -123,7 +123,7 @@ void Line::fail(const std::string& why) {
   failure_ = why;
 }
 
-runtime::Watched Line::watched() const {
+runtime::Polled Line::watched() const {
   return {descriptor_.number(), connecting_ || !waiting_.empty(), false};
 }
 

@@ -37,7 +37,7 @@ class Line {
   /// Another program has the serial port for itself.
   [[nodiscard]] bool is_taken() const { return taken_; }
   /// To be put into Loop::wait().
-  [[nodiscard]] runtime::Watched watched() const;
+  [[nodiscard]] runtime::Polled watched() const;
 
   /// After a wait that said ready: goes on connecting, writes what has waited, reads what is there.
   /// @return what has arrived; empty too when the line is gone or came up only now

@@ -17,7 +17,7 @@ class Listener {
   explicit Listener(std::uint16_t port);
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
-  [[nodiscard]] runtime::Watched watched() const { return {descriptor_.number(), false, false}; }
+  [[nodiscard]] runtime::Polled watched() const { return {descriptor_.number(), false, false}; }
   /// The next connection that waits.
   [[nodiscard]] std::optional<Descriptor> accept() const;
 

@@ -14,9 +14,9 @@
 namespace caravan::bridge {
 namespace msg = caravan_interfaces::msg;
 using runtime::Discovery;
+using runtime::Polled;
 using runtime::Sender;
 using runtime::Tenure;
-using runtime::Watched;
 using namespace std::chrono_literals;
 
 namespace {
@@ -106,7 +106,7 @@ int ModemShell::run() {
   for (;;) {
     keep_line_open();
     transmit();
-    std::array<Watched, 2> watched{air_ ? air_->watched() : Watched{}, line_.watched()};
+    std::array<Polled, 2> watched{air_ ? air_->watched() : Polled{}, line_.watched()};
     std::optional<runtime::WallTime> deadline;
     if (const auto due = radio_.next_deadline()) deadline = began_ + *due;
     if (!deadline && address_.serial && !line_.is_open()) deadline = began_ + retry_.due();

@@ -14,9 +14,9 @@
 namespace caravan::bridge {
 namespace msg = caravan_interfaces::msg;
 using runtime::Discovery;
+using runtime::Polled;
 using runtime::Sender;
 using runtime::Tenure;
-using runtime::Watched;
 using namespace std::chrono_literals;
 
 namespace {
@@ -91,7 +91,7 @@ int PioneerShell::run() {
     keep_lines_open();
     bridge_.tick(now());
     carry_out();
-    std::array<Watched, 2> watched{robot_.line.watched(), gps_ ? gps_->line.watched() : Watched{}};
+    std::array<Polled, 2> watched{robot_.line.watched(), gps_ ? gps_->line.watched() : Polled{}};
     const auto woken = loop_.wait(next_deadline(), watched);
     read_mailbox();
     attend_robot(watched[0].ready);

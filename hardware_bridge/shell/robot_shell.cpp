@@ -11,7 +11,7 @@
 
 namespace caravan::bridge {
 namespace msg = caravan_interfaces::msg;
-using runtime::Watched;
+using runtime::Polled;
 
 RobotShell::RobotShell(const RobotConfig& config, std::uint32_t robot, const Ports& ports,
                        const runtime::BusConfig& bus, runtime::Loop& loop)
@@ -86,8 +86,8 @@ void RobotShell::answer(const msg::SensorFrame& frame) {
 
 int RobotShell::run() {
   for (;;) {
-    std::array<Watched, 4> watched{robot_port_.watched(), gps_port_.watched(), host_.watched(),
-                                   gps_client_.watched()};
+    std::array<Polled, 4> watched{robot_port_.watched(), gps_port_.watched(), host_.watched(),
+                                  gps_client_.watched()};
     if (loop_.wait(next_deadline(), watched) == runtime::Loop::Woken::kStop) return runtime::kDone;
     tell_whether_a_body_is_there();
     attend_robot(watched[0].ready, watched[2].ready);

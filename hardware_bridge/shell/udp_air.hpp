@@ -21,7 +21,7 @@ class UdpAir {
   void send(std::span<const std::uint8_t> packet);
   /// The next datagram that waits, one's own too.
   [[nodiscard]] std::optional<std::vector<std::uint8_t>> receive();
-  [[nodiscard]] runtime::Watched watched() const { return {hearing_.number(), false, false}; }
+  [[nodiscard]] runtime::Polled watched() const { return {hearing_.number(), false, false}; }
 
  private:
   std::uint16_t port_;

@@ -105,8 +105,8 @@ void Agent::Impl::note_touch(const Perception& seen, bool drove_forward, Notes& 
 
 Outputs Agent::Impl::step(const Inputs& inputs) {
   Notes notes;
-  const auto place = config.wait_tells_place ? whereabouts_of(inputs.sensors, driver.movement().speed_mps,
-                                                              driver.movement().turn_radps)
+  const auto place = config.wait_tells_place ? whereabouts_of(inputs.sensors, driver.twist().linear_mps,
+                                                              driver.twist().angular_radps)
                                              : std::nullopt;
   AirOutputs air = communication.step({inputs.now, inputs.heard, own_path(), place});
   for (const Wait& wait : air.robots) neighbours.hear(wait, last_step);

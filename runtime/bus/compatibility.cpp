@@ -7,7 +7,7 @@
 namespace caravan::runtime {
 namespace {
 
-const char* in_words(EndpointQos::Durability durability) {
+const char* to_text(EndpointQos::Durability durability) {
   constexpr std::array kWords{"VOLATILE", "TRANSIENT_LOCAL", "TRANSIENT", "PERSISTENT"};
   const auto index = static_cast<std::size_t>(durability);
   return index < kWords.size() ? kWords.at(index) : "of no known kind";
@@ -32,7 +32,7 @@ std::string writer_lacks(const EndpointQos& writer, const EndpointQos& reader) {
   if (writer.type != reader.type) lacks("type is " + writer.type, reader.type);
   if (!writer.reliable && reader.reliable) lacks("reliability is BEST_EFFORT", "RELIABLE");
   if (writer.durability < reader.durability)
-    lacks(std::string{"durability is "} + in_words(writer.durability), in_words(reader.durability));
+    lacks(std::string{"durability is "} + to_text(writer.durability), to_text(reader.durability));
   if (writer.xcdr1 != reader.xcdr1)
     lacks(writer.xcdr1 ? "data representation is XCDR1" : "data representation is XCDR2 only",
           reader.xcdr1 ? "XCDR1" : "XCDR2");

@@ -9,7 +9,7 @@
 
 namespace caravan::runtime {
 
-StartDeadline::StartDeadline(std::uint32_t domain) : watcher_{[this, domain] { watch(domain); }} {}
+StartDeadline::StartDeadline(std::uint32_t domain) : health_{[this, domain] { watch(domain); }} {}
 
 StartDeadline::~StartDeadline() {
   {
@@ -17,7 +17,7 @@ StartDeadline::~StartDeadline() {
     joined_ = true;
   }
   changed_.notify_all();
-  watcher_.join();
+  health_.join();
 }
 
 void StartDeadline::watch(std::uint32_t domain) {

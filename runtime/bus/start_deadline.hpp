@@ -24,7 +24,7 @@ class StartDeadline {
   std::mutex mutex_;
   std::condition_variable changed_;
   bool joined_ = false;
-  std::thread watcher_;
+  std::thread health_;
 };
 
 }  // namespace caravan::runtime

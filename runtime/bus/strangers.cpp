@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kMostStrangers = 32;
 constexpr std::size_t kMostTopics = 16;  // of each
 
-const char* in_words(Refusal why) {
+const char* to_text(Refusal why) {
   switch (why) {
     case Refusal::kMalformed:
       return "its bytes are not of the topic's type";
@@ -39,7 +39,7 @@ void Strangers::refuse(const ParticipantId& id, const Identity& identity, const 
   ++entry.stranger.refused;
   if (entry.stranger.topics.size() < kMostTopics) entry.stranger.topics.insert(topic);
   if (!entry.told.insert(why).second) return;
-  spdlog::warn("sample refused topic={}: {}; from {} (further ones are counted)", topic, in_words(why),
+  spdlog::warn("sample refused topic={}: {}; from {} (further ones are counted)", topic, to_text(why),
                entry.stranger.who);
 }
 

@@ -20,7 +20,7 @@ std::string at_line(const std::string& file, const toml::node* node) {
   return file + ":" + std::to_string(node->source().begin.line);
 }
 
-std::string in_words(double value) {
+std::string to_text(double value) {
   std::ostringstream out;
   out << value;
   return out.str();
@@ -29,12 +29,12 @@ std::string in_words(double value) {
 std::string out_of_range(double value, Range range) {
   const bool has_low = range.low > -std::numeric_limits<double>::max();
   const bool has_high = range.high < std::numeric_limits<double>::max();
-  const std::string is = ", is " + in_words(value);
+  const std::string is = ", is " + to_text(value);
   if (range.low == kPositive.low)
-    return "must be above 0" + (has_high ? " and at most " + in_words(range.high) : "") + is;
-  if (has_low && has_high) return "must be " + in_words(range.low) + " to " + in_words(range.high) + is;
-  return has_low ? "must be at least " + in_words(range.low) + is
-                 : "must be at most " + in_words(range.high) + is;
+    return "must be above 0" + (has_high ? " and at most " + to_text(range.high) : "") + is;
+  if (has_low && has_high) return "must be " + to_text(range.low) + " to " + to_text(range.high) + is;
+  return has_low ? "must be at least " + to_text(range.low) + is
+                 : "must be at most " + to_text(range.high) + is;
 }
 
 /// The number in `node`, or what is wrong with it.

@@ -70,11 +70,11 @@ void DomainLock::take(std::uint32_t wanted) {
   if (!lock(wanted)) {
     const auto holder = holder_of(wanted);
     if (holder && holder->pid == getppid()) return;
-    refuse(wanted, holder ? "another run holds it (" + in_words(*holder) + ")" : "another run holds it");
+    refuse(wanted, holder ? "another run holds it (" + to_text(*holder) + ")" : "another run holds it");
   }
   if (const auto other = other_user_in(wanted)) {
     unlock();
-    refuse(wanted, "processes of another user are in it (" + user_in_words(*other) + ")");
+    refuse(wanted, "processes of another user are in it (" + user_text(*other) + ")");
   }
   remove_dead_ports(wanted);
 }

@@ -39,7 +39,7 @@ std::optional<DomainHolder> holder_of(std::uint32_t domain) {
   return std::nullopt;
 }
 
-std::string user_in_words(uid_t user) {
+std::string user_text(uid_t user) {
   passwd entry{};
   passwd* found = nullptr;
   std::array<char, 4096> room{};
@@ -48,13 +48,12 @@ std::string user_in_words(uid_t user) {
   return "user " + std::to_string(user);
 }
 
-std::string in_words(const DomainHolder& holder) {
+std::string to_text(const DomainHolder& holder) {
   std::tm local{};
   localtime_r(&holder.since, &local);
   std::array<char, 32> since{};
   std::strftime(since.data(), since.size(), "%Y-%m-%d %H:%M:%S", &local);
-  return "pid " + std::to_string(holder.pid) + ", user " + user_in_words(holder.user) + ", since " +
-         since.data();
+  return "pid " + std::to_string(holder.pid) + ", user " + user_text(holder.user) + ", since " + since.data();
 }
 
 std::optional<uid_t> other_user_in(std::uint32_t domain) {

@@ -20,9 +20,9 @@ struct DomainHolder {
 /// Who holds the domain's lock; none: nobody.
 [[nodiscard]] std::optional<DomainHolder> holder_of(std::uint32_t domain);
 /// Its user's name, or "user 1234" when it has none.
-[[nodiscard]] std::string user_in_words(uid_t user);
+[[nodiscard]] std::string user_text(uid_t user);
 /// "pid 12, user alice, since 2026-11-23 09:25:40"
-[[nodiscard]] std::string in_words(const DomainHolder& holder);
+[[nodiscard]] std::string to_text(const DomainHolder& holder);
 
 /// Another user of this machine who holds the domain's lock or has a process in it by shared memory.
 /// Processes of two users cannot use each other's shared memory, so they do not join: they are only in each

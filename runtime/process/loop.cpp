@@ -51,7 +51,7 @@ Loop::~Loop() {
   }
 }
 
-Loop::Woken Loop::wait(std::optional<WallTime> deadline, std::span<Watched> others) {
+Loop::Woken Loop::wait(std::optional<WallTime> deadline, std::span<Polled> others) {
   if (!was_ready_) tell_service_manager("READY=1");
   was_ready_ = true;
   const WallTime began = std::chrono::steady_clock::now();
@@ -67,10 +67,10 @@ Loop::Woken Loop::wait(std::optional<WallTime> deadline, std::span<Watched> othe
   return woken == Woken::kDeadline && must_come_back ? Woken::kNotified : woken;
 }
 
-Loop::Woken Loop::wait_until(std::optional<WallTime> deadline, std::span<Watched> others) {
+Loop::Woken Loop::wait_until(std::optional<WallTime> deadline, std::span<Polled> others) {
   if (interrupted_) return Woken::kStop;
   std::vector<pollfd> watched{{signals_, POLLIN, 0}, {stops_, POLLIN, 0}, {wakeups_, POLLIN, 0}};
-  for (const Watched& other : others) {
+  for (const Polled& other : others) {
     watched.push_back(
         {other.descriptor, static_cast<short>(other.for_writing ? POLLIN | POLLOUT : POLLIN), 0});
   }

@@ -11,7 +11,7 @@ namespace caravan::runtime {
 using WallTime = std::chrono::steady_clock::time_point;
 
 /// A descriptor that a wait watches beside its own.
-struct Watched {
+struct Polled {
   int descriptor = -1;       ///< below 0: none, never ready
   bool for_writing = false;  ///< ready also when something can be written
   bool ready = false;        ///< after a wait: something can be read, or written, or it is broken
@@ -37,7 +37,7 @@ class Loop {
   /// @param deadline none: as long as it takes. May return kNotified earlier, when somebody wants to know
   ///                 whether the caller is still alive
   /// @param others   whose `ready` is set, whatever the wait returns
-  [[nodiscard]] Woken wait(std::optional<WallTime> deadline, std::span<Watched> others = {});
+  [[nodiscard]] Woken wait(std::optional<WallTime> deadline, std::span<Polled> others = {});
   /// Whether, during the last wait, this process was stopped and continued (SIGSTOP, SIGCONT) and about its
   /// lease passed: then the others may have dropped it. A process that is only slow is not meant. Of waits of
   /// half a second the answer is right to half a second.
@@ -52,7 +52,7 @@ class Loop {
   [[nodiscard]] bool interrupted() const { return interrupted_; }
 
  private:
-  Woken wait_until(std::optional<WallTime> deadline, std::span<Watched> others);
+  Woken wait_until(std::optional<WallTime> deadline, std::span<Polled> others);
 
   int signals_ = -1;
   int wakeups_ = -1;

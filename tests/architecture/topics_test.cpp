@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string in_words(idl::Delivery delivery) {
+std::string to_text(idl::Delivery delivery) {
   switch (delivery) {
     case idl::Delivery::kStep:
       return "step";
@@ -33,7 +33,7 @@ std::string in_words(idl::Delivery delivery) {
   return "";
 }
 
-std::string in_words(idl::Party party) {
+std::string to_text(idl::Party party) {
   switch (party) {
     case idl::Party::kWorld:
       return "world";
@@ -85,9 +85,9 @@ TEST(Topics, AreDocumentedAsTheyAre) {
     ASSERT_NE(row, rows.end());
     ASSERT_EQ(row->second.size(), 4U);
     EXPECT_THAT(row->second[0], HasSubstr(short_name(topic.type)));
-    EXPECT_EQ(row->second[1], in_words(topic.delivery));
-    for (const idl::Party writer : topic.writers) EXPECT_THAT(row->second[2], HasSubstr(in_words(writer)));
-    for (const idl::Party reader : topic.readers) EXPECT_THAT(row->second[3], HasSubstr(in_words(reader)));
+    EXPECT_EQ(row->second[1], to_text(topic.delivery));
+    for (const idl::Party writer : topic.writers) EXPECT_THAT(row->second[2], HasSubstr(to_text(writer)));
+    for (const idl::Party reader : topic.readers) EXPECT_THAT(row->second[3], HasSubstr(to_text(reader)));
   }
 }
 

@@ -24,7 +24,7 @@ struct Robot {
   Driver driver;
   Neighbours neighbours;
   Body body;
-  Movement movement;
+  Twist twist;
   Point goal;
 };
 
@@ -94,20 +94,21 @@ class Floor {
       Sensors theirs;
       theirs.p_WB = other.body.p_WB;
       theirs.yaw_WB_rad = other.body.yaw_WB_rad;
-      const Movement& moves = other.driver.movement();
+      const Twist& moves = other.driver.twist();
       Wait wait;
       wait.from = RobotId{static_cast<std::uint16_t>(j + 1)};
-      wait.whereabouts = whereabouts_of(theirs, moves.speed_mps, moves.turn_radps);
+      wait.whereabouts = whereabouts_of(theirs, moves.linear_mps, moves.angular_radps);
       robots_[i].neighbours.hear(wait, now_);
     }
   }
   void move(Robot& robot, const Wheels& wheels) const {
-    const Movement wanted = movement_of(wheels, config_);
-    Movement& now = robot.movement;
-    now.speed_mps += std::clamp(wanted.speed_mps - now.speed_mps, -4.1 * kStep_s, 4.1 * kStep_s);
-    now.turn_radps += std::clamp(wanted.turn_radps - now.turn_radps, -20.0 * kStep_s, 20.0 * kStep_s);
-    robot.body.yaw_WB_rad += kStep_s * now.turn_radps;
-    robot.body.p_WB += kStep_s * now.speed_mps * direction(robot.body.yaw_WB_rad);
+    const Twist wanted = twist_of(wheels, config_);
+    Twist& now = robot.twist;
+    now.linear_mps += std::clamp(wanted.linear_mps - now.linear_mps, -4.1 * kStep_s, 4.1 * kStep_s);
+    now.angular_radps +=
+        std::clamp(wanted.angular_radps - now.angular_radps, -20.0 * kStep_s, 20.0 * kStep_s);
+    robot.body.yaw_WB_rad += kStep_s * now.angular_radps;
+    robot.body.p_WB += kStep_s * now.linear_mps * direction(robot.body.yaw_WB_rad);
   }
 
   Config config_;

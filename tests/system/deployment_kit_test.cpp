@@ -41,7 +41,7 @@ class DeploymentKit : public PatientDeployment {
       EXPECT_TRUE(does("kill robot 3"));
       EXPECT_TRUE(does("resume"));
     }
-    EXPECT_TRUE(comes("the time runs out", "state is finished"));
+    EXPECT_TRUE(happens("the time runs out", "state is finished"));
     EXPECT_EQ(seen().disturbed, with_faults);
     return seen().digest;
   }
@@ -90,7 +90,7 @@ class RecordOfARun {
   std::map<std::pair<std::string, std::uint32_t>, std::uint32_t> events_;
 };
 
-std::string in_words(const std::optional<deploy::Tally::Number>& metric) {
+std::string to_text(const std::optional<deploy::Tally::Number>& metric) {
   if (!metric) return "unknown";
   const double* number = std::get_if<double>(&*metric);
   return number != nullptr ? std::to_string(*number) : std::get<std::string>(*metric);
@@ -104,30 +104,30 @@ TEST_F(DeploymentKit, SeesTheMetricsAndEventsThatTheRecordOfTheSameRunHas) {
                      "experiment.max_time_s = 25.0",
           .lease_s = 60.0});
   ASSERT_TRUE(does("start all"));
-  ASSERT_TRUE(comes("the run ends", "state is finished and metric sim_time_s >= 25", 100s));
-  ASSERT_TRUE(comes("its digest is known", "metric digest is not \"\""));
+  ASSERT_TRUE(happens("the run ends", "state is finished and metric sim_time_s >= 25", 100s));
+  ASSERT_TRUE(happens("its digest is known", "metric digest is not \"\""));
   const ScratchFolder record_folder;
   const RecordOfARun record{deployment().folder() / "scenario.toml", record_folder};
   const auto tally = seen().tally;
   for (const std::string& key : deploy::metric_keys().of_run) {
     if (key.find("wall") != std::string::npos || key == "real_time_factor" || key.starts_with("time_split"))
       continue;
-    EXPECT_EQ(in_words(tally->metric(key, 0)), record.metric(key, 0)) << key;
+    EXPECT_EQ(to_text(tally->metric(key, 0)), record.metric(key, 0)) << key;
   }
   for (std::uint32_t robot = 1; robot <= 4; ++robot) {
     for (const std::string& key : deploy::metric_keys().of_robot)
-      EXPECT_EQ(in_words(tally->metric(key, robot)), record.metric(key, robot)) << key << " " << robot;
+      EXPECT_EQ(to_text(tally->metric(key, robot)), record.metric(key, robot)) << key << " " << robot;
   }
   EXPECT_GE(record.events().size(), 6U);
   for (const auto& [what, count] : record.events())
     EXPECT_EQ(tally->events(what.first, what.second), count) << what.first << " of robot " << what.second;
-  EXPECT_TRUE(comes("in words", "events exchange > 0 and event exchange 1 has partner=", 0s));
+  EXPECT_TRUE(happens("in words", "events exchange > 0 and event exchange 1 has partner=", 0s));
 }
 
 TEST_F(DeploymentKit, TellsWhatItWaitedForAndWhatItSaw) {
   deploy({.scenario = scenario("small.toml")});
   ASSERT_TRUE(does("start world"));
-  ASSERT_TRUE(comes("the world is up", "state is waiting"));
+  ASSERT_TRUE(happens("the world is up", "state is waiting"));
   const deploy::ActionResult result =
       deployment().expect("a robot comes", deploy::Condition{"missing lacks \"robot 3\""}, 300ms);
   EXPECT_FALSE(result.good);
@@ -144,16 +144,16 @@ TEST_F(DeploymentKit, RobotsThatShareAProcessDieAndComeBackTogether) {
           .lease_s = short_lease_s(),
           .agents_per_process = 2});
   ASSERT_TRUE(does("start all"));
-  ASSERT_TRUE(comes("it runs", "members is 3 and step > 50"));
+  ASSERT_TRUE(happens("it runs", "members is 3 and step > 50"));
   const auto processes = seen().processes;
   EXPECT_EQ(processes.at("robot 1").pid, processes.at("robot 2").pid);
   EXPECT_NE(processes.at("robot 1").pid, processes.at("robot 3").pid) << "the last group is smaller";
   ASSERT_TRUE(does("kill robot 2"));
   EXPECT_TRUE(
-      comes("both are gone",
-            "gone has \"robot 1\" and gone has \"robot 2\" and members is 1 and exit robot 1 is 137"));
+      happens("both are gone",
+              "gone has \"robot 1\" and gone has \"robot 2\" and members is 1 and exit robot 1 is 137"));
   ASSERT_TRUE(does("start robot 1-2"));
-  EXPECT_TRUE(comes("both are back", "gone is none and members is 3 and process robot 2 is running"));
+  EXPECT_TRUE(happens("both are back", "gone is none and members is 3 and process robot 2 is running"));
   EXPECT_TRUE(std::filesystem::exists(deployment().folder() / "robots_1-2.2.log"));
   EXPECT_EQ(seen().processes.at("robot 3").pid, processes.at("robot 3").pid);
 }
@@ -161,7 +161,7 @@ TEST_F(DeploymentKit, RobotsThatShareAProcessDieAndComeBackTogether) {
 TEST_F(DeploymentKit, GoesByTheTransportThatItIsTold) {
   deploy({.scenario = scenario("small.toml"), .transport = runtime::Transport::kUdp, .lease_s = 60.0});
   ASSERT_TRUE(does("start all"));
-  ASSERT_TRUE(comes("it runs", "members is 4 and step > 50"));
+  ASSERT_TRUE(happens("it runs", "members is 4 and step > 50"));
   for (const auto& [name, process] : seen().processes) {
     const std::string maps = read_file("/proc/" + std::to_string(process.pid) + "/maps");
     EXPECT_THAT(maps, HasSubstr(runtime::dds_library())) << name;
@@ -176,7 +176,7 @@ TEST_F(DeploymentKit, LeavesNothingBehind) {
     const deploy::Deployment& made = deploy({.scenario = scenario("small.toml"), .lease_s = short_lease_s()});
     domain = made.domain();
     ASSERT_TRUE(does("start all"));
-    ASSERT_TRUE(comes("it runs", "step > 50"));
+    ASSERT_TRUE(happens("it runs", "step > 50"));
     ASSERT_TRUE(does("kill robot 2,3"));
     ASSERT_TRUE(does("suspend robot 4"));
   }

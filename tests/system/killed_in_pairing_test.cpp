@@ -57,9 +57,9 @@ class KilledInPairing : public Faults, public ::testing::WithParamInterface<Phas
   /// Steps to the first step of the phase, whoever it is.
   Pair step_to_the_phase() {
     EXPECT_TRUE(does("pause"));
-    EXPECT_TRUE(comes("it is paused", "state is paused"));
-    EXPECT_TRUE(comes("everybody is overheard",
-                      "sends 1 has WAIT and sends 2 has WAIT and sends 3 has WAIT and sends 4 has WAIT"));
+    EXPECT_TRUE(happens("it is paused", "state is paused"));
+    EXPECT_TRUE(happens("everybody is overheard",
+                        "sends 1 has WAIT and sends 2 has WAIT and sends 3 has WAIT and sends 4 has WAIT"));
     const Condition nobody{"nobody is in it", [](const Seen& now) { return !in_phase(now); }};
     const Condition somebody{"a robot sends it", [](const Seen& now) { return in_phase(now).has_value(); }};
     const deploy::ActionResult quiet = deployment().step_until(nobody, 1000);
@@ -77,9 +77,9 @@ TEST_P(KilledInPairing, IsNoticedFreesItsPartnerAndComesBackWithoutItsPath) {
   const std::string partner = std::to_string(pair.partner);
   ASSERT_TRUE(does("kill " + name));
   ASSERT_TRUE(does("resume"));
-  EXPECT_TRUE(comes("its loss is noticed", "gone has \"" + name + "\" and members is 3"));
-  EXPECT_TRUE(comes("its partner is free again",
-                    "activity " + partner + " is not exchanging and member " + partner + " is yes"));
+  EXPECT_TRUE(happens("its loss is noticed", "gone has \"" + name + "\" and members is 3"));
+  EXPECT_TRUE(happens("its partner is free again",
+                      "activity " + partner + " is not exchanging and member " + partner + " is yes"));
   EXPECT_TRUE(goes_on());
 
   // It keeps nothing. The world is held meanwhile, so that the first that it says of itself stands; and it is
@@ -88,16 +88,16 @@ TEST_P(KilledInPairing, IsNoticedFreesItsPartnerAndComesBackWithoutItsPath) {
   ASSERT_TRUE(does("pause"));
   ASSERT_TRUE(does("teleport " + std::to_string(pair.killed) + " 4.5 4.5"));
   ASSERT_TRUE(does("step 8"));
-  ASSERT_TRUE(comes("it is paused", "state is paused"));
+  ASSERT_TRUE(happens("it is paused", "state is paused"));
   ASSERT_TRUE(does("start " + name));
-  EXPECT_TRUE(comes("it starts from its initial state",
-                    "gone lacks \"" + name + "\" and mode " + std::to_string(pair.killed) +
-                        " is explore and path " + std::to_string(pair.killed) + " is none"));
+  EXPECT_TRUE(happens("it starts from its initial state",
+                      "gone lacks \"" + name + "\" and mode " + std::to_string(pair.killed) +
+                          " is explore and path " + std::to_string(pair.killed) + " is none"));
   ASSERT_TRUE(does("resume"));
   expect_back_and_working(pair.killed);
   const std::uint32_t exchanges = seen().robots.at(pair.partner).exchanges;
   EXPECT_TRUE(
-      comes("its partner exchanges again", "exchanges " + partner + " > " + std::to_string(exchanges)));
+      happens("its partner exchanges again", "exchanges " + partner + " > " + std::to_string(exchanges)));
 }
 
 INSTANTIATE_TEST_SUITE_P(Phases, KilledInPairing,

@@ -48,8 +48,8 @@ class Soak : public PatientDeployment {
       next_s = std::min(next_s + kStride_s, time_s);
       const auto left =
           std::chrono::duration_cast<std::chrono::milliseconds>(deadline_ - std::chrono::steady_clock::now());
-      const auto come = comes("time goes on", "time >= " + std::to_string(next_s),
-                              std::clamp<std::chrono::milliseconds>(left, 1000ms, kStridePatience));
+      const auto come = happens("time goes on", "time >= " + std::to_string(next_s),
+                                std::clamp<std::chrono::milliseconds>(left, 1000ms, kStridePatience));
       EXPECT_TRUE(come);
       if (!come) return false;
     }
@@ -123,7 +123,7 @@ class Soak : public PatientDeployment {
 TEST_F(Soak, TenHoursOnABadRadioWithDyingProcesses) {
   deploy({.scenario = scenario("paper.toml"), .changes = kChanges, .lease_s = 5.0});
   ASSERT_TRUE(does("start all"));
-  ASSERT_TRUE(comes("everybody comes", "step > 20 and members is 15"));
+  ASSERT_TRUE(happens("everybody comes", "step > 20 and members is 15"));
   double next_measure_s = 0.25 * kHour_s;
   while (seen().time_s < kEnd_s && !HasFailure()) {
     if (!reaches(seen().time_s + random_.uniform(400.0, 1000.0))) return;
@@ -132,7 +132,7 @@ TEST_F(Soak, TenHoursOnABadRadioWithDyingProcesses) {
     measure();
     next_measure_s += 0.25 * kHour_s;
   }
-  ASSERT_TRUE(comes("everybody is here", "members is 15 and gone is none and missing is none", 120s));
+  ASSERT_TRUE(happens("everybody is here", "members is 15 and gone is none and missing is none", 120s));
   const std::uint32_t items = seen().items;
   ASSERT_TRUE(reaches(seen().time_s + 900.0));
   EXPECT_GT(seen().items, items + 10) << "items are still delivered";

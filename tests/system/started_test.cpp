@@ -19,32 +19,32 @@ TEST_F(Started, WithoutARadioTheSwarmStartsAloneAndARadioMayComeLate) {
   start_busy();
   ASSERT_TRUE(does("start world"));
   ASSERT_TRUE(does("start robots"));
-  EXPECT_TRUE(comes("it starts without", "gone has radio and step > 100"));
+  EXPECT_TRUE(happens("it starts without", "gone has radio and step > 100"));
   ASSERT_TRUE(does("start radio"));
-  EXPECT_TRUE(comes("they exchange", "gone is none and exchanges 1 > 0"));
+  EXPECT_TRUE(happens("they exchange", "gone is none and exchanges 1 > 0"));
 }
 
 TEST_F(Started, AgentsMayComeBeforeTheWorld) {
   start_busy();
   ASSERT_TRUE(does("start robot 4"));
   ASSERT_TRUE(does("start robot 1-3"));
-  ASSERT_TRUE(comes("an agent waits", "log robot 4 has \"waiting for the world\""));
+  ASSERT_TRUE(happens("an agent waits", "log robot 4 has \"waiting for the world\""));
   ASSERT_TRUE(does("start radio"));
   ASSERT_TRUE(does("start world"));
-  EXPECT_TRUE(comes("it starts", "step > 50 and members is 4 and disturbed is no"));
+  EXPECT_TRUE(happens("it starts", "step > 50 and members is 4 and disturbed is no"));
 }
 
 TEST_F(Started, AgentsMayComeOneByOneAndTheWorldSaysWhoIsMissing) {
   start_busy();
   ASSERT_TRUE(does("start world"));
-  ASSERT_TRUE(comes("nobody is there", "missing has \"robot 1\" and missing has \"robot 4\""));
+  ASSERT_TRUE(happens("nobody is there", "missing has \"robot 1\" and missing has \"robot 4\""));
   ASSERT_TRUE(does("start radio"));
   for (const std::string robot : {"1", "2", "3"}) {
     ASSERT_TRUE(does("start robot " + robot));
-    ASSERT_TRUE(comes("one more", "state is waiting and missing lacks \"robot " + robot + "\""));
+    ASSERT_TRUE(happens("one more", "state is waiting and missing lacks \"robot " + robot + "\""));
   }
   ASSERT_TRUE(does("start robot 4"));
-  EXPECT_TRUE(comes("it starts", "step > 50 and members is 4 and disturbed is no"));
+  EXPECT_TRUE(happens("it starts", "step > 50 and members is 4 and disturbed is no"));
 }
 
 // They send nothing but announcements then.
@@ -69,9 +69,9 @@ TEST_F(Started, FifteenAgentsMayComeAtOnce) {
   deploy({.scenario = scenario("paper.toml"), .changes = kPatientStart, .lease_s = 60.0});
   ASSERT_TRUE(does("start world"));
   ASSERT_TRUE(does("start radio"));
-  ASSERT_TRUE(comes("nobody is there", "missing has \"robot 15\""));
+  ASSERT_TRUE(happens("nobody is there", "missing has \"robot 15\""));
   ASSERT_TRUE(does("start robots"));
-  EXPECT_TRUE(comes("it starts", "step > 50 and members is 15 and disturbed is no"));
+  EXPECT_TRUE(happens("it starts", "step > 50 and members is 15 and disturbed is no"));
 }
 
 TEST_F(Started, FifteenAgentsMayComeOneByOne) {
@@ -81,22 +81,22 @@ TEST_F(Started, FifteenAgentsMayComeOneByOne) {
   for (int robot = 15; robot >= 1; --robot) {
     ASSERT_TRUE(does("start robot " + std::to_string(robot)));
     if (robot == 1) break;
-    ASSERT_TRUE(comes("one more, and the others are waited for",
-                      "missing lacks \"robot " + std::to_string(robot) +
-                          "\" and missing has \"robot 1\" and state is waiting"));
+    ASSERT_TRUE(happens("one more, and the others are waited for",
+                        "missing lacks \"robot " + std::to_string(robot) +
+                            "\" and missing has \"robot 1\" and state is waiting"));
   }
-  EXPECT_TRUE(comes("it starts", "step > 50 and members is 15 and disturbed is no"));
+  EXPECT_TRUE(happens("it starts", "step > 50 and members is 15 and disturbed is no"));
 }
 
 TEST_F(Started, ARobotIsTakenOutOfTheWorldAndPutBackIn) {
   start_all_busy();
   ASSERT_TRUE(does("remove 3"));
-  ASSERT_TRUE(comes("it is out", "removed has \"robot 3\" and members is 3 and gone is none"));
+  ASSERT_TRUE(happens("it is out", "removed has \"robot 3\" and members is 3 and gone is none"));
   EXPECT_TRUE(goes_on());
   ASSERT_TRUE(does("pause"));
   ASSERT_TRUE(does("spawn 3 4.5 4.5"));
   ASSERT_TRUE(does("step"));
-  EXPECT_TRUE(comes("its agent is awaited at once", "removed is none and members is 4"));
+  EXPECT_TRUE(happens("its agent is awaited at once", "removed is none and members is 4"));
   ASSERT_TRUE(does("resume"));
   EXPECT_TRUE(goes_on());
 }
@@ -104,14 +104,14 @@ TEST_F(Started, ARobotIsTakenOutOfTheWorldAndPutBackIn) {
 TEST_F(Started, ARobotIsSpawnedBeforeItHasAnAgent) {
   start_all_busy();
   ASSERT_TRUE(does("kill robot 3"));
-  EXPECT_TRUE(comes("its loss is noticed", "gone has \"robot 3\""));
+  EXPECT_TRUE(happens("its loss is noticed", "gone has \"robot 3\""));
   ASSERT_TRUE(does("remove 3"));
-  EXPECT_TRUE(comes("it is out", "removed has \"robot 3\" and gone is none"));
+  EXPECT_TRUE(happens("it is out", "removed has \"robot 3\" and gone is none"));
   ASSERT_TRUE(does("spawn 3 4.5 4.5"));
-  ASSERT_TRUE(comes("it is missing", "missing has \"robot 3\" and removed is none and members is 3"));
+  ASSERT_TRUE(happens("it is missing", "missing has \"robot 3\" and removed is none and members is 3"));
   EXPECT_TRUE(goes_on());
   ASSERT_TRUE(does("start robot 3"));
-  EXPECT_TRUE(comes("its agent has come", "missing is none"));
+  EXPECT_TRUE(happens("its agent has come", "missing is none"));
   expect_back_and_working(3);
 }
 

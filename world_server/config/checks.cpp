@@ -25,7 +25,7 @@ bool is_in_arena(Point point, const WorldConfig& config) {
          std::abs(point.y) <= 0.5 * config.arena_m[1] + kRounding;
 }
 
-std::string arena_in_words(const WorldConfig& config) {
+std::string arena_text(const WorldConfig& config) {
   return words("the arena, which is x ", -0.5 * config.arena_m[0], " to ", 0.5 * config.arena_m[0], ", y ",
                -0.5 * config.arena_m[1], " to ", 0.5 * config.arena_m[1]);
 }
@@ -41,7 +41,7 @@ std::vector<Solid> solids_of(const WorldConfig& config) {
 void check_site(const runtime::TomlTable& robots, std::string_view key, Point site,
                 const WorldConfig& config) {
   if (!is_in_arena(site, config)) {
-    robots.fail(key, words("(", site.x, ", ", site.y, ") lies outside ", arena_in_words(config)));
+    robots.fail(key, words("(", site.x, ", ", site.y, ") lies outside ", arena_text(config)));
   }
   for (const Solid& solid : solids_of(config)) {
     if (contains(solid, site)) {
@@ -71,7 +71,7 @@ void check_solid(const runtime::TomlTable& table, std::string_view key, const So
                  const WorldConfig& config) {
   const Extent extent = extent_of(solid);
   if (is_in_arena(extent.low, config) && is_in_arena(extent.high, config)) return;
-  table.fail(key, "reaches outside " + arena_in_words(config) + ": move it or make it smaller");
+  table.fail(key, "reaches outside " + arena_text(config) + ": move it or make it smaller");
 }
 
 void check_outline(const runtime::TomlTable& table, const Outline& outline) {
@@ -103,7 +103,7 @@ void check_world(const runtime::TomlTable& world, const WorldConfig& config) {
   }
   for (const std::string_view key : {"start_low_m", "start_high_m"}) {
     const Point corner = to_point(key == "start_low_m" ? config.start_low_m : config.start_high_m);
-    if (!is_in_arena(corner, config)) world.fail(key, "lies outside " + arena_in_words(config));
+    if (!is_in_arena(corner, config)) world.fail(key, "lies outside " + arena_text(config));
   }
   // Beyond half of the thinnest wall in one physics step, a body could be pushed out on its far side.
   const double stride = config.robots.wheel_limit_mps * config.step_s / config.substeps;

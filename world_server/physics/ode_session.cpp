@@ -17,7 +17,7 @@ namespace {
 // return nothing that tells.
 thread_local std::string complaint;
 
-std::string in_words(const char* format, va_list values) {
+std::string to_text(const char* format, va_list values) {
   std::array<char, 400> text{};
   (void)std::vsnprintf(text.data(), text.size(), format, values);
   return std::string{"ODE: "} + text.data();
@@ -25,12 +25,12 @@ std::string in_words(const char* format, va_list values) {
 
 /// The solver has met a case that is not determined; ODE goes on with what it has.
 void on_message(int /*number*/, const char* format, va_list values) {
-  if (complaint.empty()) complaint = in_words(format, values);
+  if (complaint.empty()) complaint = to_text(format, values);
 }
 
 /// A failed assertion or an error. When this returns ODE ends the process.
 [[noreturn]] void on_failure(int /*number*/, const char* format, va_list values) {
-  throw PhysicsError{in_words(format, values)};
+  throw PhysicsError{to_text(format, values)};
 }
 
 /// ODE is opened once for a process and stays open: closing it would pull it away from other worlds. Its

@@ -17,7 +17,7 @@ constexpr auto kStatusPeriod = 500ms;
 constexpr auto kHeldLong = 2s;      // by an observer
 constexpr auto kHeldTooLong = 10s;  // by one that is not awaited
 
-std::vector<std::string> in_words(const std::vector<std::uint32_t>& ids) {
+std::vector<std::string> to_text(const std::vector<std::uint32_t>& ids) {
   std::vector<std::string> names;
   for (const std::uint32_t id : ids) names.push_back(id == 0 ? "radio" : "robot " + std::to_string(id));
   return names;
@@ -35,7 +35,7 @@ void WorldShell::name_the_late(Wall now) {
   const std::vector<std::uint32_t> hung = barrier_.hung(now);
   if (hung != named_hung_ && !hung.empty()) {
     spdlog::warn("hung stamp_s={:.3f}: alive but not answering: {}", seconds(stamp_),
-                 fmt::join(in_words(hung), ", "));
+                 fmt::join(to_text(hung), ", "));
   }
   named_hung_ = hung;
   const bool held =
@@ -62,9 +62,9 @@ void WorldShell::publish_status(Wall now) {
                : phase_ == Phase::kFinished ? msg::WorldStatus_Constants::FINISHED
                                             : msg::WorldStatus_Constants::RUNNING);
   status.missing(missing());
-  status.hung(in_words(named_hung_));
-  status.gone(in_words(barrier_.gone()));
-  status.removed(in_words(removed()));
+  status.hung(to_text(named_hung_));
+  status.gone(to_text(barrier_.gone()));
+  status.removed(to_text(removed()));
   status.members(static_cast<std::uint32_t>(barrier_.members().size()));
   status.steps_per_s(since > 0.0 ? static_cast<double>(steps - tallies_.steps_at_status) / since : 0.0);
   status.items_delivered(world_.items_delivered());

@@ -110,14 +110,14 @@ bool WorldShell::may_open(Wall now) {
   held_by_ = credits_.holding_back(world_.now(), period_ * idl::kMaxStepsAhead);
   if (held_by_) {
     if (!was_held) held_since_ = now;
-    told_due_ = {};
+    notified_due_ = {};
     return false;
   }
   if (control_.speed() == 0.0 || now >= due_) return true;
   // The main thread opens it when it is due. Told once: it asks here itself, and would wake itself until
   // then.
-  if (told_due_ != due_) loop_.notify();
-  told_due_ = due_;
+  if (notified_due_ != due_) loop_.notify();
+  notified_due_ = due_;
   return false;
 }
 

@@ -120,8 +120,8 @@ class WorldShell {
   std::vector<bool> radio_due_;
   std::uint64_t radio_chain_;
   bool radio_controlled_ = false;
-  Wall due_{};       // of the next step, when paced
-  Wall told_due_{};  // the main thread has been woken to wait for this
+  Wall due_{};           // of the next step, when paced
+  Wall notified_due_{};  // the main thread has been woken to wait for this
   Wall status_due_{};
   std::string digest_;
   std::string failure_;  // why the phase is kFailed

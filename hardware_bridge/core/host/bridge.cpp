@@ -32,7 +32,7 @@ std::variant<ArcosGripper, ImaginedGripper> gripper_of(const BridgeConfig& confi
 Bridge::Bridge(const BridgeConfig& config)
     : config_{config},
       link_{config.link},
-      watcher_{config.low_battery_v},
+      health_{config.low_battery_v},
       gps_{config.arena, config.gps_jump_m},
       projection_{config.arena},
       fusion_{config.fusion},
@@ -74,7 +74,7 @@ bool Bridge::know_scale() {
 
 void Bridge::on_sip(const arcos::Sip& sip, Time now) {
   if (!know_scale()) return;
-  for (Notice& notice : watcher_.watch(sip)) effects_.notices.push_back(std::move(notice));
+  for (Notice& notice : health_.watch(sip)) effects_.notices.push_back(std::move(notice));
   for (Notice& notice : sonar_watch_.watch(sip.sonars, now)) effects_.notices.push_back(std::move(notice));
   see_stop(sip);
   follow(sip, now);

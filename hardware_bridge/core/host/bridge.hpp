@@ -11,10 +11,10 @@
 #include "hardware_bridge/core/arcos/sonar_memory.hpp"
 #include "hardware_bridge/core/host/gps_source.hpp"
 #include "hardware_bridge/core/host/gripper.hpp"
+#include "hardware_bridge/core/host/health_monitor.hpp"
 #include "hardware_bridge/core/host/robot_link.hpp"
 #include "hardware_bridge/core/host/sonar_watch.hpp"
 #include "hardware_bridge/core/host/stop_latch.hpp"
-#include "hardware_bridge/core/host/watcher.hpp"
 #include "hardware_bridge/core/pose/arena_projection.hpp"
 #include "hardware_bridge/core/pose/pose_fusion.hpp"
 
@@ -117,7 +117,7 @@ class Bridge {
 
   BridgeConfig config_;
   RobotLink link_;
-  Watcher watcher_;
+  HealthMonitor health_;
   SonarWatch sonar_watch_;
   StopLatch latch_;
   GpsSource gps_;

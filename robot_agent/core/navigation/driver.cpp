@@ -60,8 +60,8 @@ int Driver::attempts_at(const Perception& seen) {
 Motion Driver::drive_to(const Point& goal_W, const Perception& seen, pure::Random& random) {
   Motion motion = approach(goal_W, seen, random);
   const auto [allowed, surface_near] =
-      is_hopeless(seen) ? keep_clear(motion.wheels, movement_, without_surfaces(seen), config_)
-                        : keep_clear(motion.wheels, movement_, seen, config_);
+      is_hopeless(seen) ? keep_clear(motion.wheels, twist_, without_surfaces(seen), config_)
+                        : keep_clear(motion.wheels, twist_, seen, config_);
   if (is_held(motion.wheels, allowed, seen.now)) {
     held_since_.reset();
     if (auto* manoeuvring = std::get_if<Manoeuvring>(&state_)) {
@@ -83,7 +83,7 @@ Motion Driver::drive_to(const Point& goal_W, const Perception& seen, pure::Rando
 
 void Driver::tell(const Wheels& wheels, Time now) {
   const double passed = std::chrono::duration<double>(std::min(now - told_, kLongestStep)).count();
-  movement_ = approaching(movement_, movement_of(last_wheels_, config_), passed);
+  twist_ = approaching(twist_, twist_of(last_wheels_, config_), passed);
   last_wheels_ = wheels;
   told_ = now;
 }
@@ -132,7 +132,7 @@ Motion Driver::approach(const Point& goal_W, const Perception& seen, pure::Rando
 
 Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& random) {
   const double bearing = seen.bearing_to(goal_W);
-  const auto [ahead, closing] = watch_.update(seen, free_ahead_m(seen.around, config_));
+  const auto [ahead, closing] = view_.update(seen, free_ahead_m(seen.around, config_));
   const bool facing = std::abs(bearing) < kFacing_rad;
   const bool in_the_way = ahead < config_.too_close_m || (ahead < config_.meeting_m && closing > kComes_mps);
   const bool somebody = seen.robot_near && seen.robots.empty();  // who has not told where it is
@@ -146,7 +146,7 @@ Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& 
   if (facing && free_ahead_m(seen.still, config_) < needed) {
     return {{}, Activity::kAvoiding, Obstruction::kObstacle};
   }
-  const double leaning = facing ? bearing + lean_rad(seen, config_) : bearing;
+  const double leaning = facing ? bearing + turn_from_surfaces_rad(seen, config_) : bearing;
   return {steer_to(leaning, speed_for(ahead, config_), config_), Activity::kDriving, Obstruction::kNone};
 }
 

@@ -4,9 +4,9 @@
 #include <variant>
 
 #include "robot_agent/core/navigation/avoidance.hpp"
-#include "robot_agent/core/navigation/movement.hpp"
+#include "robot_agent/core/navigation/forward_view.hpp"
 #include "robot_agent/core/navigation/stuck.hpp"
-#include "robot_agent/core/navigation/watch.hpp"
+#include "robot_agent/core/navigation/twist.hpp"
 #include "runtime/pure/random.hpp"
 
 namespace caravan::agent {
@@ -48,7 +48,7 @@ class Driver {
   [[nodiscard]] Motion stand(Activity activity, Time now);
 
   /// How the robot moved when it was told last, from what its wheels had been told until then.
-  [[nodiscard]] const Movement& movement() const { return movement_; }
+  [[nodiscard]] const Twist& twist() const { return twist_; }
 
   /// Driving freely, not giving way.
   [[nodiscard]] bool is_steering() const { return std::holds_alternative<Steering>(state_); }
@@ -71,9 +71,9 @@ class Driver {
   Config config_;
   std::variant<Steering, Manoeuvring> state_;
   StuckMonitor monitor_;
-  Watch watch_;
+  ForwardView view_;
   Wheels last_wheels_;
-  Movement movement_;
+  Twist twist_;
   Time told_{0};
   std::optional<Time> held_since_;
   Point last_trouble_at_{0.0, 0.0};

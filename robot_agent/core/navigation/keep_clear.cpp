@@ -12,11 +12,11 @@
 namespace caravan::agent {
 namespace {
 
-constexpr double kLasts_s = 0.12;   // a movement lasts at least that long; then the robot can brake
+constexpr double kLasts_s = 0.12;   // a twist lasts at least that long; then the robot can brake
 constexpr double kMoment_s = 0.08;  // between the moments looked at
 constexpr std::size_t kMoments = 7;
 constexpr double kConcerns_m = 1.7;  // between the bases of two robots; further off they can still brake
-constexpr double kRoom_m = 0.2;      // to an echo, where another movement than the wanted one leads
+constexpr double kRoom_m = 0.2;      // to an echo, where another twist than the wanted one leads
 
 constexpr double kNothing_m = 1e-3;
 constexpr double kMayLose = 0.7;  // of the space between two bodies when it is too little already
@@ -25,23 +25,23 @@ constexpr double kFromSurfaces_m = 0.04;
 constexpr double kTouches_m = 0.005;  // a robot that touches a wall may drive along it
 constexpr double kInside_m = 0.05;    // a surface deeper inside the body than this cannot be there
 
-using Course = std::array<Body, kMoments>;
+using Trajectory = std::array<Body, kMoments>;
 
-/// Where a body comes that moves as it does, is told to move otherwise, then to stop.
-Course course_of(Body body, Movement now, const Movement& told) {
-  Course course;
+/// The poses of a body whose wheels are told to change its twist, then to stop.
+Trajectory predicted_trajectory(Body body, Twist now, const Twist& told) {
+  Trajectory trajectory;
   double seconds = 0.0;
-  for (Body& there : course) {
-    const Movement then = approaching(now, seconds < kLasts_s ? told : Movement{}, kMoment_s);
-    const double turned = 0.5 * kMoment_s * (now.turn_radps + then.turn_radps);
+  for (Body& there : trajectory) {
+    const Twist then = approaching(now, seconds < kLasts_s ? told : Twist{}, kMoment_s);
+    const double turned = 0.5 * kMoment_s * (now.angular_radps + then.angular_radps);
     body.p_WB +=
-        0.5 * kMoment_s * (now.speed_mps + then.speed_mps) * direction(body.yaw_WB_rad + 0.5 * turned);
+        0.5 * kMoment_s * (now.linear_mps + then.linear_mps) * direction(body.yaw_WB_rad + 0.5 * turned);
     body.yaw_WB_rad += turned;
     now = then;
     seconds += kMoment_s;
     there = body;
   }
-  return course;
+  return trajectory;
 }
 
 /// How far two robots are apart: their axles, and their bodies where these could touch.
@@ -59,7 +59,7 @@ Spacing spacing(const Body& one, const Body& other, double swept_m, const Config
 /// The robots that matter, where they will be, and the surfaces near by.
 class Scene {
  public:
-  Scene(const Perception& seen, const Movement& now, const Config& config)
+  Scene(const Perception& seen, const Twist& now, const Config& config)
       : self_{seen.p_WB, seen.yaw_WB_rad},
         now_{now},
         config_{config},
@@ -68,13 +68,13 @@ class Scene {
     for (const Neighbour& robot : seen.robots) {
       if (seen.distance_to(robot.p_WB) > kConcerns_m) continue;
       const Body body{robot.p_WB, robot.yaw_WB_rad};
-      const Movement moves{robot.speed_mps, robot.turn_radps};
+      const Twist moves{robot.speed_mps, robot.turn_radps};
       const Spacing spaced = spacing(self_, body, swept_m_, config_);
       const double keeps = config_.keep_clear_m;
       const double turns = 2.0 * swept_m_ + keeps;
       const Spacing wanted{std::min(turns, spaced.axles_m),
                            spaced.bodies_m < keeps ? kMayLose * spaced.bodies_m : keeps};
-      others_.push_back({wanted, course_of(body, moves, moves)});
+      others_.push_back({wanted, predicted_trajectory(body, moves, moves)});
     }
     double nearest = kFromSurfaces_m;
     for (const Point& at : seen.surfaces) {
@@ -89,21 +89,21 @@ class Scene {
 
   [[nodiscard]] bool is_empty() const { return others_.empty() && surfaces_.empty(); }
 
-  /// How much too near the movement comes to anything, at worst; 0: it is safe.
-  [[nodiscard]] double lack_m(const Movement& movement) const {
+  /// How much too near to anything the predicted trajectory comes, at worst; 0: the twist is admissible.
+  [[nodiscard]] double violation_m(const Twist& twist) const {
     double most = 0.0;
-    const Course course = course_of(self_, now_, movement);
+    const Trajectory trajectory = predicted_trajectory(self_, now_, twist);
     for (const Other& other : others_) {
       for (std::size_t i = 0; i < kMoments; ++i) {
-        const Spacing there = spacing(course[i], other.course[i], swept_m_, config_);
+        const Spacing there = spacing(trajectory[i], other.trajectory[i], swept_m_, config_);
         most = std::max({most, other.wanted.axles_m - there.axles_m,
                          kBodiesMatter * (other.wanted.bodies_m - there.bodies_m)});
       }
     }
-    return std::max(most, too_near_to_surfaces_m(course));
+    return std::max(most, too_near_to_surfaces_m(trajectory));
   }
-  [[nodiscard]] bool comes_near_a_surface(const Movement& movement) const {
-    return too_near_to_surfaces_m(course_of(self_, now_, movement)) > kNothing_m;
+  [[nodiscard]] bool comes_near_a_surface(const Twist& twist) const {
+    return too_near_to_surfaces_m(predicted_trajectory(self_, now_, twist)) > kNothing_m;
   }
 
  private:
@@ -113,23 +113,23 @@ class Scene {
   };
   struct Other {
     Spacing wanted;
-    Course course;
+    Trajectory trajectory;
   };
   Body self_;
-  Movement now_;
+  Twist now_;
   const Config& config_;
   double swept_m_;
   std::vector<Other> others_;
   std::vector<Surface> surfaces_;
 
-  [[nodiscard]] double too_near_to_surfaces_m(const Course& course) const {
+  [[nodiscard]] double too_near_to_surfaces_m(const Trajectory& trajectory) const {
     double most = 0.0;
-    for (const Body& body : course) {
+    for (const Body& body : trajectory) {
       for (const Surface& surface : surfaces_) {
         const double reach = swept_m_ + surface.wanted_m;
         if ((surface.at - body.p_WB).squaredNorm() > reach * reach) continue;
-        const double lack = surface.wanted_m - signed_distance_m(body, surface.at, config_);
-        most = std::max(most, kBodiesMatter * lack);
+        const double violation = surface.wanted_m - signed_distance_m(body, surface.at, config_);
+        most = std::max(most, kBodiesMatter * violation);
       }
     }
     return most;
@@ -137,25 +137,25 @@ class Scene {
 };
 
 struct Candidate {
-  Movement movement;
+  Twist twist;
   double cost;
 };
 
-/// Other movements, the most alike first. Of two alike the one further to the left: that is the rule for
+/// Other twists, the most alike first. Of two alike the one further to the left: that is the rule for
 /// meetings.
-std::vector<Candidate> alternatives(const Movement& wanted, const Config& config) {
+std::vector<Candidate> candidates(const Twist& wanted, const Config& config) {
   const double slow = config.slow_mps;
-  const std::array<double, 6> speeds = {wanted.speed_mps, 0.6 * wanted.speed_mps, slow, 0.5 * slow, 0.0,
+  const std::array<double, 6> speeds = {wanted.linear_mps, 0.6 * wanted.linear_mps, slow, 0.5 * slow, 0.0,
                                         -0.5 * slow};
-  const std::array<double, 8> turns = {wanted.turn_radps, 0.0, 0.7, -0.7, 1.4, -1.4, 2.5, -2.5};
+  const std::array<double, 8> turns = {wanted.angular_radps, 0.0, 0.7, -0.7, 1.4, -1.4, 2.5, -2.5};
   std::vector<Candidate> result;
   result.reserve(speeds.size() * turns.size());
   for (const double speed : speeds) {
-    if (std::abs(speed) > std::max(std::abs(wanted.speed_mps), slow)) continue;
+    if (std::abs(speed) > std::max(std::abs(wanted.linear_mps), slow)) continue;
     for (const double turn : turns) {
-      const double slower = (wanted.speed_mps - speed) / 0.5;
-      const double turned = (turn - wanted.turn_radps) / 2.0;
-      const double against = speed * wanted.speed_mps < 0.0 ? 0.5 : 0.0;
+      const double slower = (wanted.linear_mps - speed) / 0.5;
+      const double turned = (turn - wanted.angular_radps) / 2.0;
+      const double against = speed * wanted.linear_mps < 0.0 ? 0.5 : 0.0;
       const double rightwards = turned < 0.0 ? 0.05 : 0.0;
       result.push_back({{speed, turn}, slower * slower + turned * turned + against + rightwards});
     }
@@ -164,34 +164,34 @@ std::vector<Candidate> alternatives(const Movement& wanted, const Config& config
   return result;
 }
 
-bool has_room(const Movement& movement, const Perception& seen, const Config& config) {
-  if (movement.speed_mps > 0.0) {
-    return free_alongside_m(seen.still, config, std::clamp(0.3 * movement.turn_radps, -0.5, 0.5)) > kRoom_m;
+bool has_room(const Twist& twist, const Perception& seen, const Config& config) {
+  if (twist.linear_mps > 0.0) {
+    return free_alongside_m(seen.still, config, std::clamp(0.3 * twist.angular_radps, -0.5, 0.5)) > kRoom_m;
   }
-  return movement.speed_mps == 0.0 || free_behind_m(seen.still, config) > kRoom_m;
+  return twist.linear_mps == 0.0 || free_behind_m(seen.still, config) > kRoom_m;
 }
 
 }  // namespace
 
-Allowed keep_clear(const Wheels& wanted, const Movement& now, const Perception& seen, const Config& config) {
+Allowed keep_clear(const Wheels& wanted, const Twist& now, const Perception& seen, const Config& config) {
   const Scene scene{seen, now, config};
   if (scene.is_empty()) return {wanted};
-  const Movement movement = movement_of(wanted, config);
-  double least = scene.lack_m(movement);
+  const Twist twist = twist_of(wanted, config);
+  double least = scene.violation_m(twist);
   if (least <= kNothing_m) return {wanted};
-  const bool surface = scene.comes_near_a_surface(movement);
-  Movement best{};
-  least = scene.lack_m(best);
-  for (const Candidate& candidate : alternatives(movement, config)) {
-    if (!has_room(candidate.movement, seen, config)) continue;
-    const double lack = scene.lack_m(candidate.movement);
-    if (lack <= kNothing_m)
-      return {wheels_for(candidate.movement.speed_mps, candidate.movement.turn_radps, config), surface};
-    if (lack >= least) continue;
-    least = lack;
-    best = candidate.movement;
+  const bool surface = scene.comes_near_a_surface(twist);
+  Twist best{};
+  least = scene.violation_m(best);
+  for (const Candidate& candidate : candidates(twist, config)) {
+    if (!has_room(candidate.twist, seen, config)) continue;
+    const double violation = scene.violation_m(candidate.twist);
+    if (violation <= kNothing_m)
+      return {wheels_for(candidate.twist.linear_mps, candidate.twist.angular_radps, config), surface};
+    if (violation >= least) continue;
+    least = violation;
+    best = candidate.twist;
   }
-  return {wheels_for(best.speed_mps, best.turn_radps, config), surface};
+  return {wheels_for(best.linear_mps, best.angular_radps, config), surface};
 }
 
 }  // namespace caravan::agent

@@ -65,7 +65,7 @@ double free_behind_m(const Surroundings& around, const Config& config) {
       0.0, around.clearance_m(beside_the_body(config, std::numbers::pi, behind - kReaches_m)) - behind);
 }
 
-double lean_rad(const Perception& seen, const Config& config) {
+double turn_from_surfaces_rad(const Perception& seen, const Config& config) {
   const double wanted = 0.5 * config.body_width_m + kWantedBeside_m;
   const auto lack = [&](double bearing_rad) {
     const double clearance = seen.around.clearance_m(

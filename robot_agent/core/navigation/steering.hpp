@@ -24,9 +24,9 @@ namespace caravan::agent {
 /// The same behind the body.
 [[nodiscard]] double free_behind_m(const Surroundings& around, const Config& config);
 
-/// How much to turn away from a surface close beside the robot, positive to the left. Walls end in corners,
-/// which return no echo: keeping off the wall keeps off its corner.
-[[nodiscard]] double lean_rad(const Perception& seen, const Config& config);
+/// The change of heading away from a surface close beside the robot, positive to the left. Walls end in
+/// corners, which return no echo: a distance to the wall is a distance to its corner.
+[[nodiscard]] double turn_from_surfaces_rad(const Perception& seen, const Config& config);
 
 /// Cruise, or slow when something is ahead.
 [[nodiscard]] double speed_for(double free_ahead_m, const Config& config);

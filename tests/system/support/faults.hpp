@@ -35,18 +35,18 @@ class Faults : public PatientDeployment {
   void start_all_busy(const std::string& more = "", double lease_s = short_lease_s()) {
     start_busy(more, lease_s);
     ASSERT_TRUE(does("start all"));
-    ASSERT_TRUE(comes("everybody comes", "step > 20 and members is 4"));
+    ASSERT_TRUE(happens("everybody comes", "step > 20 and members is 4"));
   }
   [[nodiscard]] ::testing::AssertionResult goes_on() {
     const std::string later = "step > " + std::to_string(seen().step + 200);
-    return comes("the run goes on", later);
+    return happens("the run goes on", later);
   }
   /// Suspends a process while it waits. One that is stopped in the middle of a send or a receive may hold a
   /// lock in shared memory that all others need: a limit of DDS, not what these tests are about.
   void suspend_at_rest(const std::string& who) {
     suspended_at_ = std::chrono::steady_clock::now();
     ASSERT_TRUE(does("pause"));
-    ASSERT_TRUE(comes("it is paused", "state is paused"));
+    ASSERT_TRUE(happens("it is paused", "state is paused"));
     ASSERT_TRUE(does("suspend " + who));
     if (who == "world") return;
     ASSERT_TRUE(does("resume"));
@@ -54,7 +54,7 @@ class Faults : public PatientDeployment {
   /// Waits until the last that was suspended has been so for this long, on the wall clock as its lease is.
   [[nodiscard]] ::testing::AssertionResult stays_suspended_for(double time_s) {
     const std::chrono::duration<double> time{time_s};
-    return comes(
+    return happens(
         std::to_string(time_s) + " s are over",
         [&](const deploy::Seen&) { return std::chrono::steady_clock::now() - suspended_at_ > time; },
         std::chrono::duration_cast<std::chrono::milliseconds>(2.0 * time));
@@ -62,8 +62,8 @@ class Faults : public PatientDeployment {
   void expect_back_and_working(std::uint32_t robot) {
     const std::string name = "robot " + std::to_string(robot);
     const std::string number = std::to_string(robot);
-    EXPECT_TRUE(comes(name + " is back", "gone lacks \"" + name + "\" and member " + number + " is yes"));
-    EXPECT_TRUE(comes(name + " has a path again", "mode " + number + " is transport", 90s));
+    EXPECT_TRUE(happens(name + " is back", "gone lacks \"" + name + "\" and member " + number + " is yes"));
+    EXPECT_TRUE(happens(name + " has a path again", "mode " + number + " is transport", 90s));
   }
 
  private:

@@ -10,16 +10,16 @@
 
 namespace caravan::test {
 
-/// The fixture of the kit, but `comes` waits longer on a busy machine.
+/// The fixture of the kit, but `happens` waits longer on a busy machine.
 class PatientDeployment : public deploy::DeploymentTest {
  protected:
   template <typename Wanted>
-  [[nodiscard]] ::testing::AssertionResult comes(const std::string& name, const Wanted& wanted,
-                                                 std::chrono::milliseconds within = kPatience) {
+  [[nodiscard]] ::testing::AssertionResult happens(const std::string& name, const Wanted& wanted,
+                                                   std::chrono::milliseconds within = kPatience) {
     const auto began = std::chrono::steady_clock::now();
     Patience patience{within};
     for (;;) {
-      ::testing::AssertionResult result = DeploymentTest::comes(name, wanted, std::min(within, kLook));
+      ::testing::AssertionResult result = DeploymentTest::happens(name, wanted, std::min(within, kLook));
       if (result || patience.is_over()) return result << waited_since(began);
     }
   }

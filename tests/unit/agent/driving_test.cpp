@@ -5,9 +5,9 @@
 
 #include "robot_agent/core/navigation/avoidance.hpp"
 #include "robot_agent/core/navigation/driver.hpp"
+#include "robot_agent/core/navigation/forward_view.hpp"
 #include "robot_agent/core/navigation/steering.hpp"
 #include "robot_agent/core/navigation/stuck.hpp"
-#include "robot_agent/core/navigation/watch.hpp"
 #include "robot_agent/core/task/arrival.hpp"
 #include "tests/support/sonar_model.hpp"
 
@@ -111,29 +111,29 @@ TEST(Avoidance, WithNoRoomOnTheLeftTheRobotLetsTheOtherPass) {
   EXPECT_FALSE(std::holds_alternative<Pause>(third.front())) << "it does not wait for ever";
 }
 
-TEST(Watch, AnEchoThatVanishesAtOnceWhileAWaitIsHeardIsBelievedForTwoSeconds) {
-  Watch watch;
+TEST(ForwardView, AnEchoThatVanishesAtOnceWhileAWaitIsHeardIsBelievedForTwoSeconds) {
+  ForwardView view;
   Perception seen = look({}, {0, 0}, 0.0);
   seen.robot_near = true;
-  EXPECT_DOUBLE_EQ(watch.update(seen, 1.0).free_ahead_m, 1.0);
+  EXPECT_DOUBLE_EQ(view.update(seen, 1.0).free_ahead_m, 1.0);
   seen.now = 500ms;
   seen.p_WB.x() = 0.2;
-  EXPECT_NEAR(watch.update(seen, 4.0).free_ahead_m, 0.8, 1e-9);
+  EXPECT_NEAR(view.update(seen, 4.0).free_ahead_m, 0.8, 1e-9);
   seen.now = 2100ms;
-  EXPECT_DOUBLE_EQ(watch.update(seen, 4.0).free_ahead_m, 4.0);
+  EXPECT_DOUBLE_EQ(view.update(seen, 4.0).free_ahead_m, 4.0);
 }
 
-TEST(Watch, WithoutAWaitWhatVanishesIsGone) {
-  Watch watch;
+TEST(ForwardView, WithoutAWaitWhatVanishesIsGone) {
+  ForwardView view;
   Perception seen = look({}, {0, 0}, 0.0);
-  (void)watch.update(seen, 1.0);
+  (void)view.update(seen, 1.0);
   seen.now = 32ms;
-  EXPECT_DOUBLE_EQ(watch.update(seen, 4.0).free_ahead_m, 4.0);
+  EXPECT_DOUBLE_EQ(view.update(seen, 4.0).free_ahead_m, 4.0);
 }
 
-TEST(Watch, ARobotThatDrivesAheadDoesNotCloseInAndOneThatStandsDoes) {
-  Watch ahead;
-  Watch standing;
+TEST(ForwardView, ARobotThatDrivesAheadDoesNotCloseInAndOneThatStandsDoes) {
+  ForwardView ahead;
+  ForwardView standing;
   Perception seen = look({}, {0, 0}, 0.0);
   seen.robot_near = true;
   for (int i = 0; i < 40; ++i) {

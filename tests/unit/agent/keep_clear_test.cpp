@@ -27,7 +27,7 @@ Perception among(std::vector<Neighbour> robots, std::span<const Wall> walls = {}
 
 Neighbour standing(const Point& at, double yaw_rad) { return {RobotId{7}, at, yaw_rad, 0.0, 0.0}; }
 
-Wheels kept(const Wheels& wanted, const Movement& now, const Perception& seen, const Config& config) {
+Wheels kept(const Wheels& wanted, const Twist& now, const Perception& seen, const Config& config) {
   return keep_clear(wanted, now, seen, config).wheels;
 }
 

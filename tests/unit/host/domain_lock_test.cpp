@@ -48,8 +48,8 @@ TEST(DomainLock, OfADomainThatIsHeldIsRefusedNamingWhoHoldsItAndSinceWhen) {
   const DomainLock held{std::nullopt};
   EXPECT_THAT(refusal_of(held.domain()),
               AllOf(HasSubstr("DDS domain " + std::to_string(held.domain())),
-                    HasSubstr("pid " + std::to_string(getpid())),
-                    HasSubstr("user " + user_in_words(geteuid())), HasSubstr("since 20")));
+                    HasSubstr("pid " + std::to_string(getpid())), HasSubstr("user " + user_text(geteuid())),
+                    HasSubstr("since 20")));
 }
 
 TEST(DomainLock, IsFreeAgainWhenItsHolderHasGone) {

@@ -8,17 +8,17 @@ namespace {
 
 using testing::ElementsAre;
 
-std::vector<std::string> in_words_of(const std::vector<RobotGroup>& groups) {
+std::vector<std::string> texts_of(const std::vector<RobotGroup>& groups) {
   std::vector<std::string> words;
-  for (const RobotGroup& group : groups) words.push_back(in_words(group));
+  for (const RobotGroup& group : groups) words.push_back(to_text(group));
   return words;
 }
 
 TEST(RobotGroups, HaveEachRobotOnceAndTheLastMayBeSmaller) {
-  EXPECT_THAT(in_words_of(groups_of(3, 1)), ElementsAre("1", "2", "3"));
-  EXPECT_THAT(in_words_of(groups_of(6, 4)), ElementsAre("1-4", "5-6"));
-  EXPECT_THAT(in_words_of(groups_of(5, 4)), ElementsAre("1-4", "5"));
-  EXPECT_THAT(in_words_of(groups_of(2, 16)), ElementsAre("1-2"));
+  EXPECT_THAT(texts_of(groups_of(3, 1)), ElementsAre("1", "2", "3"));
+  EXPECT_THAT(texts_of(groups_of(6, 4)), ElementsAre("1-4", "5-6"));
+  EXPECT_THAT(texts_of(groups_of(5, 4)), ElementsAre("1-4", "5"));
+  EXPECT_THAT(texts_of(groups_of(2, 16)), ElementsAre("1-2"));
 }
 
 TEST(RunCommands, TellEveryProcessScenarioDomainLeaseAndTransport) {

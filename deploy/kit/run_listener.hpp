@@ -24,16 +24,16 @@ namespace caravan::deploy {
 ///
 /// It gives the world credit, so it misses no step. When the world awaits it (`--await kit`), the first
 /// credit is also what lets the world begin.
-class Ears {
+class RunListener {
  public:
   static constexpr const char* kName = "kit";
 
   /// @param facts       of every session
   /// @param hold_start  gives no credit before go()
-  Ears(const runtime::BusConfig& bus, experiment::RunFacts facts, bool hold_start);
-  ~Ears();
-  Ears(const Ears&) = delete;
-  Ears& operator=(const Ears&) = delete;
+  RunListener(const runtime::BusConfig& bus, experiment::RunFacts facts, bool hold_start);
+  ~RunListener();
+  RunListener(const RunListener&) = delete;
+  RunListener& operator=(const RunListener&) = delete;
 
   [[nodiscard]] Seen seen() const;
   /// Returns when something was heard since `seen()` was called last, after `patience` at the latest.
@@ -70,7 +70,7 @@ class Ears {
   std::shared_ptr<Tally> tally_;
   std::optional<caravan_interfaces::msg::WorldStatus> world_;  // the newest
   std::optional<caravan_interfaces::msg::RadioStatus> radio_;
-  bool goes_;
+  bool gives_credit_;
   bool overhears_ = false;
   std::uint64_t credited_step_ = 0;
   Requester requester_;

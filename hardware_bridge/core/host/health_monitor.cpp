@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hardware_bridge/core/host/watcher.hpp"
+#include "hardware_bridge/core/host/health_monitor.hpp"
 
 #include <cmath>
 #include <string>
@@ -30,7 +30,7 @@ std::string named(std::uint16_t bumpers) {
 
 }  // namespace
 
-std::vector<Notice> Watcher::watch(const arcos::Sip& sip) {
+std::vector<Notice> HealthMonitor::watch(const arcos::Sip& sip) {
   std::vector<Notice> notices;
   const auto tell = [&](bool& known, bool now, const std::string& begins, const std::string& ends) {
     if (known == now) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/navigation/movement.hpp"
+#include "robot_agent/core/navigation/twist.hpp"
 
 #include <algorithm>
 
@@ -14,13 +14,13 @@ double towards(double now, double wanted, double most) { return now + std::clamp
 
 }  // namespace
 
-Movement movement_of(const Wheels& wheels, const Config& config) {
+Twist twist_of(const Wheels& wheels, const Config& config) {
   return {0.5 * (wheels.left_mps + wheels.right_mps), (wheels.right_mps - wheels.left_mps) / config.track_m};
 }
 
-Movement approaching(const Movement& now, const Movement& wanted, double seconds) {
-  return {towards(now.speed_mps, wanted.speed_mps, seconds * kGains_mps2),
-          towards(now.turn_radps, wanted.turn_radps, seconds * kGains_radps2)};
+Twist approaching(const Twist& now, const Twist& wanted, double seconds) {
+  return {towards(now.linear_mps, wanted.linear_mps, seconds * kGains_mps2),
+          towards(now.angular_radps, wanted.angular_radps, seconds * kGains_radps2)};
 }
 
 }  // namespace caravan::agent

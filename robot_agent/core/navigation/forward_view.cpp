@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/core/navigation/watch.hpp"
+#include "robot_agent/core/navigation/forward_view.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -18,12 +18,12 @@ constexpr double kSameHeading_rad = 0.4;
 
 }  // namespace
 
-Watch::View Watch::update(const Perception& seen, double free_ahead_m) {
+ForwardView::View ForwardView::update(const Perception& seen, double free_ahead_m) {
   const double free = believed(seen, free_ahead_m);
   return {free, closing(seen.now, free)};
 }
 
-double Watch::believed(const Perception& seen, double free_ahead_m) {
+double ForwardView::believed(const Perception& seen, double free_ahead_m) {
   const double came = (seen.p_WB - echo_seen_from_).dot(direction(echo_seen_at_yaw_rad_));
   const double expected = std::max(0.0, last_echo_.free_ahead_m - came);
   const bool recent = seen.now - last_echo_.at <= kBelieves && seen.robot_near &&
@@ -37,7 +37,7 @@ double Watch::believed(const Perception& seen, double free_ahead_m) {
   return free_ahead_m;
 }
 
-double Watch::closing(Time now, double free_ahead_m) {
+double ForwardView::closing(Time now, double free_ahead_m) {
   if (now - samples_[1].at >= kBetween) {
     samples_[0] = samples_[1];
     samples_[1] = {now, free_ahead_m};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/kit/ears.hpp"
+#include "deploy/kit/run_listener.hpp"
 
 #include <algorithm>
 #include <array>
@@ -39,9 +39,9 @@ double seconds(const builtin_interfaces::msg::Time& stamp) {
 
 }  // namespace
 
-Ears::Ears(const runtime::BusConfig& bus, experiment::RunFacts facts, bool hold_start)
+RunListener::RunListener(const runtime::BusConfig& bus, experiment::RunFacts facts, bool hold_start)
     : facts_{std::move(facts)},
-      goes_{!hold_start},
+      gives_credit_{!hold_start},
       readers_{facts_.robots,
                RunReaders::Worlds::kNext,
                {.truth = [this](const msg::WorldTruth& sample) { on_truth(sample); },
@@ -56,7 +56,7 @@ Ears::Ears(const runtime::BusConfig& bus, experiment::RunFacts facts, bool hold_
   if (!hold_start) go();
 }
 
-void Ears::overhear() {
+void RunListener::overhear() {
   {
     const std::lock_guard lock{mutex_};
     if (std::exchange(overhears_, true)) return;
@@ -69,9 +69,9 @@ void Ears::overhear() {
   }
 }
 
-Ears::~Ears() { bus_.close(); }
+RunListener::~RunListener() { bus_.close(); }
 
-bool Ears::follow_session(std::uint64_t session) {
+bool RunListener::follow_session(std::uint64_t session) {
   if (session < seen_.session) return false;
   if (session == seen_.session) return true;
   seen_.session = session;
@@ -87,12 +87,12 @@ bool Ears::follow_session(std::uint64_t session) {
   return true;
 }
 
-void Ears::note(const std::string& event) {
+void RunListener::note(const std::string& event) {
   seen_.events.push_back(event);
   if (seen_.events.size() > kEventsKept) seen_.events.pop_front();
 }
 
-void Ears::give_credit(const builtin_interfaces::msg::Time& stamp) {
+void RunListener::give_credit(const builtin_interfaces::msg::Time& stamp) {
   msg::RunCredit credit;
   credit.observer(kName);
   credit.session(seen_.session);
@@ -100,11 +100,11 @@ void Ears::give_credit(const builtin_interfaces::msg::Time& stamp) {
   credit_.write(credit);
 }
 
-void Ears::count() {
+void RunListener::count() {
   for (const experiment::Observation& step : book_.take()) tally_->observe(step);
 }
 
-void Ears::on_truth(const msg::WorldTruth& truth) {
+void RunListener::on_truth(const msg::WorldTruth& truth) {
   const std::lock_guard lock{mutex_};
   if (!follow_session(truth.session())) return;
   book_.add(truth);
@@ -132,7 +132,7 @@ void Ears::on_truth(const msg::WorldTruth& truth) {
     note("t=" + std::to_string(seen_.time_s) + " robot " + std::to_string(event.robot()) +
          (delivery ? " delivers" : " picks up"));
   }
-  if (goes_ && step >= credited_step_ + kCreditEvery) {
+  if (gives_credit_ && step >= credited_step_ + kCreditEvery) {
     credited_step_ = step;
     give_credit(truth.stamp());
   }
@@ -140,7 +140,7 @@ void Ears::on_truth(const msg::WorldTruth& truth) {
   news_.notify_all();
 }
 
-void Ears::on_status(const msg::WorldStatus& status) {
+void RunListener::on_status(const msg::WorldStatus& status) {
   const std::lock_guard lock{mutex_};
   if (!follow_session(status.session())) return;
   const std::string state = state_of(status);
@@ -164,7 +164,7 @@ void Ears::on_status(const msg::WorldStatus& status) {
   news_.notify_all();
 }
 
-void Ears::on_radio(const msg::RadioStatus& status) {
+void RunListener::on_radio(const msg::RadioStatus& status) {
   const std::lock_guard lock{mutex_};
   seen_.radio_is_heard = true;
   seen_.deliveries = status.deliveries();
@@ -175,7 +175,7 @@ void Ears::on_radio(const msg::RadioStatus& status) {
   news_.notify_all();
 }
 
-void Ears::on_telemetry(std::uint32_t robot, const msg::Telemetry& telemetry) {
+void RunListener::on_telemetry(std::uint32_t robot, const msg::Telemetry& telemetry) {
   constexpr std::array kModes{"explore", "transport"};
   constexpr std::array kActivities{"idle", "driving", "avoiding", "exchanging"};
   constexpr std::array kOrigins{"none", "found", "received"};
@@ -204,7 +204,7 @@ void Ears::on_telemetry(std::uint32_t robot, const msg::Telemetry& telemetry) {
   news_.notify_all();
 }
 
-void Ears::on_transmit(std::uint32_t robot, const msg::RadioTransmit& transmit) {
+void RunListener::on_transmit(std::uint32_t robot, const msg::RadioTransmit& transmit) {
   std::string sent;
   for (const msg::RadioFrame& frame : transmit.frames()) {
     const std::string text = std::visit(
@@ -220,18 +220,18 @@ void Ears::on_transmit(std::uint32_t robot, const msg::RadioTransmit& transmit) 
   news_.notify_all();
 }
 
-Seen Ears::seen() const {
+Seen RunListener::seen() const {
   const std::lock_guard lock{mutex_};
   has_news_ = false;
   return seen_;
 }
 
-void Ears::wait_for_news(std::chrono::milliseconds patience) {
+void RunListener::wait_for_news(std::chrono::milliseconds patience) {
   std::unique_lock lock{mutex_};
   news_.wait_for(lock, patience, [this] { return has_news_; });
 }
 
-void Ears::forget_world() {
+void RunListener::forget_world() {
   const std::lock_guard lock{mutex_};
   seen_.state = "absent";
   seen_.missing.clear();
@@ -240,18 +240,18 @@ void Ears::forget_world() {
   seen_.removed.clear();
 }
 
-void Ears::forget_radio() {
+void RunListener::forget_radio() {
   const std::lock_guard lock{mutex_};
   seen_.radio_is_heard = false;
 }
 
-void Ears::go() {
+void RunListener::go() {
   const std::lock_guard lock{mutex_};
-  goes_ = true;
+  gives_credit_ = true;
   give_credit({});
 }
 
-ControlAnswer Ears::ask(msg::ControlRequest request, std::chrono::milliseconds patience) {
+ControlAnswer RunListener::ask(msg::ControlRequest request, std::chrono::milliseconds patience) {
   const auto deadline = std::chrono::steady_clock::now() + patience;
   {
     std::unique_lock lock{mutex_};

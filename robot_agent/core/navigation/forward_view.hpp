@@ -8,12 +8,12 @@
 
 namespace caravan::agent {
 
-/// Watches what is ahead over time.
+/// The free distance ahead over time.
 ///
 /// A robot ahead that turns shows its corner and vanishes from the sonars: while a WAIT is heard, an echo
 /// that vanishes at once is believed to be still there for two seconds. And how fast the free distance
 /// shrinks tells a robot that comes or stands from one that drives ahead in the same direction.
-class Watch {
+class ForwardView {
  public:
   struct View {
     double free_ahead_m = std::numeric_limits<double>::infinity();

@@ -9,9 +9,9 @@
 namespace caravan::bridge {
 
 /// Tells what a robot's SIPs say of its health, once for each change. The emergency stop is StopLatch's.
-class Watcher {
+class HealthMonitor {
  public:
-  explicit Watcher(double low_battery_v) : low_battery_v_{low_battery_v} {}
+  explicit HealthMonitor(double low_battery_v) : low_battery_v_{low_battery_v} {}
 
   [[nodiscard]] std::vector<Notice> watch(const arcos::Sip& sip);
   [[nodiscard]] double battery_v() const { return battery_v_; }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robot_agent/core/config.hpp"
+#include "robot_agent/core/types.hpp"
+
+namespace caravan::agent {
+
+/// The velocity of a robot's base, in its own frame (REP-103: x forward).
+struct Twist {
+  double linear_mps = 0.0;     ///< forward positive
+  double angular_radps = 0.0;  ///< counter-clockwise positive
+};
+
+[[nodiscard]] Twist twist_of(const Wheels& wheels, const Config& config);
+
+/// The twist some seconds later when the wheels are told to bring it to `wanted`, limited by acceleration.
+[[nodiscard]] Twist approaching(const Twist& now, const Twist& wanted, double seconds);
+
+}  // namespace caravan::agent
