@@ -50,6 +50,7 @@ void read_driving(runtime::TomlTable& table, Config& config) {
   table.read("arrival_radius_m", config.arrival_radius_m, kLength_m);
   table.read("touch_margin_m", config.touch_margin_m, {0.0, kLength_m.high});
   table.read("touched_places", config.touched_places, {0, 10000});
+  read_time(table, "surface_memory_s", config.surface_memory, 20.0);
   read_time(table, "touch_patience_s", config.touch_patience, 0.001);
   read_time(table, "gripper_patience_s", config.gripper_patience, 0.001);
 }

@@ -38,6 +38,8 @@ struct Agent::Impl {
         communication{config},
         driver{config},
         neighbours{config},
+        surfaces{config},
+        unseen_obstacles{config},
         random{config.seed, pure::mix_all(kDrivingStream, config.id.value)},
         task{Explorer{config}} {}
 
@@ -85,7 +87,7 @@ std::optional<Perception> Agent::Impl::perceive(const Inputs& inputs, bool robot
   Perception seen = agent::perceive(inputs.now, inputs.sensors, near, std::move(robots), config);
   if (seen.around.is_blind()) return std::nullopt;
   surfaces.see(seen);
-  seen.surfaces = surfaces.near(seen.p_WB);
+  seen.surfaces = surfaces.near(seen.p_WB, seen.now);
   if (const auto place = unseen_obstacles.feel(inputs.sensors, told, surfaces, config, seen)) {
     notes.add("obstacle_remembered", where(*place));
   }

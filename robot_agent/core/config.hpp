@@ -43,9 +43,11 @@ struct Config {
   std::chrono::nanoseconds gripper_patience =
       std::chrono::milliseconds{300};  ///< for the gripper to hold, or not to, once it was told
   double touch_margin_m = 0.35;        ///< half the size that something touched and unseen is taken to have
-  std::uint32_t touched_places = 0;    ///< so many are remembered, for the whole run; 0: none
+  std::uint32_t touched_places = 128;  ///< so many are remembered, for the whole run; 0: none
   std::chrono::nanoseconds touch_patience =
       std::chrono::seconds{15};  ///< a robot that gets nowhere for so long forgets those around it
+  std::chrono::nanoseconds surface_memory = std::chrono::seconds{
+      300};  ///< surfaces that it saw or touched are kept clear of for so long; at least 20 s
   bool wait_tells_place = true;  ///< WAIT says where its sender is and how it moves
   double keep_clear_m = 0.05;    ///< between two robots' bodies; it needs to be told where they are
 

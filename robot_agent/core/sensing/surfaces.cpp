@@ -15,8 +15,7 @@ constexpr double kFarthest_m = 3.0;  // from the robot
 constexpr double kExact_m = 1.2;     // beyond this range an echo does not say well enough where it is from
 constexpr double kSamePlace_m = 0.05;
 constexpr double kReach_m = 0.8;
-constexpr double kExplains_m = 0.15;  // what is touched this near to what was seen
-constexpr double kRobot_m = 0.5;      // around the axle of one
+constexpr double kRobot_m = 0.5;  // around the axle of one
 
 // Two echoes of a sonar on one wall tell its direction when they are this far apart,
 constexpr double kShortest_m = 0.08;
@@ -39,8 +38,17 @@ Point turned(const Point& v_B, const Point& ahead_W) {
 
 }  // namespace
 
+Surfaces::Surfaces(const Config& config)
+    : memory_{config.surface_memory},
+      patience_{config.touch_patience},
+      has_map_{memory_ > kRemembers || config.touched_places > 0} {}
+
 void Surfaces::see(const Perception& seen) {
   forget(seen);
+  if (has_map_) {
+    if (patience_.is_lost(seen)) map_.forget_around(seen.p_WB, Patience::kForgets_m);
+    map_.see(seen);
+  }
   goes_on_.clear();
   // A robot that does not tell where it is looks like any other thing.
   if (seen.robot_near && seen.robots.empty()) return;
@@ -88,20 +96,18 @@ void Surfaces::touch_ahead(const Perception& seen, const Config& config) {
   const Point ahead = direction(seen.yaw_WB_rad);
   for (const double part : kAcrossTheFront) {
     const Point at_B{config.body_ahead_m + kInFront_m, part * config.body_width_m};
-    remember({seen.p_WB + turned(at_B, ahead), seen.now, true});
+    const Point at = seen.p_WB + turned(at_B, ahead);
+    remember({at, seen.now});
+    if (has_map_) map_.touch(at, seen.now);
   }
 }
 
-bool Surfaces::has_seen(const Point& at_W) const {
-  return std::ranges::any_of(
-      places_, [&](const Place& place) { return !place.touched && within(place.at, at_W, kExplains_m); });
-}
-
-std::vector<Point> Surfaces::near(const Point& p_WB) const {
+std::vector<Point> Surfaces::near(const Point& p_WB, Time now) const {
   std::vector<Point> result;
   for (const Place& place : places_) {
     if (within(place.at, p_WB, kReach_m)) result.push_back(place.at);
   }
+  map_.add_near(p_WB, {now - memory_, now - kRemembers}, result);
   for (const Point& at : goes_on_) {
     if (within(at, p_WB, kReach_m)) result.push_back(at);
   }

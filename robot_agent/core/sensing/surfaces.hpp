@@ -5,7 +5,9 @@
 #include <chrono>
 #include <vector>
 
+#include "robot_agent/core/sensing/patience.hpp"
 #include "robot_agent/core/sensing/perception.hpp"
+#include "robot_agent/core/sensing/surface_map.hpp"
 
 namespace caravan::agent {
 
@@ -13,28 +15,33 @@ namespace caravan::agent {
 ///
 /// Corners and oblique walls return no echo, but the walls that meet in a corner did so a moment before the
 /// robot came beside it, and a wall that a sonar has followed goes on for a little. So what is known of a
-/// place is more than what the sonars say at this moment. It is a belief of seconds, not a map.
+/// place is more than what the sonars say at this moment. It is a belief of seconds; what lasts longer, for
+/// config.surface_memory, comes from a map. A robot that gets nowhere forgets what the map holds around it.
 class Surfaces {
  public:
+  explicit Surfaces(const Config& config);
   /// Takes in what the sonars see now. What lies where a robot has told to be is forgotten: it was that
   /// robot.
   void see(const Perception& seen);
   /// The robot drove forward and did not come forward: something unseen is in front of it.
   void touch_ahead(const Perception& seen, const Config& config);
-  /// True when the sonars saw something near this place not long ago.
-  [[nodiscard]] bool has_seen(const Point& at_W) const;
+  /// True when something near this place is as high as the sonars: they saw it from close by.
+  [[nodiscard]] bool is_high(const Point& at_W) const { return map_.is_high(at_W); }
   /// Places in W within reach of a body that drives and brakes.
-  [[nodiscard]] std::vector<Point> near(const Point& p_WB) const;
+  [[nodiscard]] std::vector<Point> near(const Point& p_WB, Time now) const;
 
  private:
   struct Place {
     Point at{0.0, 0.0};
     Time seen{-std::chrono::hours{1}};
-    bool touched = false;  // and not seen
   };
   void forget(const Perception& seen);
   void remember(const Place& place);
   void follow(std::size_t sonar, const Point& across_W, const Point& at, Time now);
+  Time memory_;
+  Patience patience_;
+  bool has_map_;
+  SurfaceMap map_;
   std::vector<Place> places_;
   std::vector<Point> goes_on_;                 // where walls that sonars follow now should go on
   std::array<Place, kSonarCount> followed_{};  // an echo of each sonar some centimetres ago

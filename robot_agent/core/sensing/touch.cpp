@@ -57,10 +57,11 @@ std::optional<Touch> TouchSensor::update(Time now, const Sensors& sensors, const
   last_touch_ = now;
   const double rear = config.body_ahead_m - config.body_length_m;
   const double side = 0.5 * config.body_width_m;
+  // Which wheel is slowed does not tell the side: a face met at more than 45 degrees turns the robot away
+  // from it.
   if (told.left_mps * told.right_mps > 0.0) {
     const bool forward = told.left_mps > 0.0;
-    const double across = left == right ? 0.0 : (left ? side : -side);
-    return Touch{{forward ? config.body_ahead_m : rear, across}, {forward ? 1.0 : -1.0, 0.0}};
+    return Touch{{forward ? config.body_ahead_m : rear, 0.0}, {forward ? 1.0 : -1.0, 0.0}, side};
   }
   // It turns: what a rear corner meets pushes the base forward, what a front corner meets backward.
   const double pushed = speed_mps(0, 0, config) + speed_mps(1, 0, config) - told.left_mps - told.right_mps;

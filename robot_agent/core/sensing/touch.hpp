@@ -13,6 +13,7 @@ namespace caravan::agent {
 struct Touch {
   Point at_B{0.0, 0.0};
   Point towards_B{1.0, 0.0};
+  double either_side_m = 0.0;  ///< it may be so far beside `at_B`, across `towards_B`
 };
 
 /// Notices by its wheels that the body runs into something: a wheel that turned as it was told is slowed to

@@ -22,6 +22,11 @@ class TouchedPlaces {
   void stand_on(const Body& body, const Config& config);
   /// Forgets what lies around a place.
   void forget_around(const Point& p_W, double radius_m);
+  /// Forgets the places, frame W, for which it holds.
+  template <typename Condition>
+  void forget_if(const Condition& holds) {
+    std::erase_if(places_, [&](const Place& place) { return holds(place.at); });
+  }
   /// Places within so far.
   [[nodiscard]] std::vector<Point> at(const Point& p_W, double radius_m) const;
   /// Middles of what was touched there, config.touch_margin_m beyond the place.

@@ -2,14 +2,14 @@
 #include "robot_agent/core/sensing/unseen_obstacles.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace caravan::agent {
 namespace {
 
-constexpr double kRobot_m = 0.15;     // a robot's body this near is what was touched
-constexpr double kReach_m = 0.8;      // of keep_clear(), as for surfaces
-constexpr double kSomewhere_m = 0.5;  // a robot that came so far got somewhere
-constexpr double kForgets_m = 1.0;    // around it
+constexpr double kRobot_m = 0.15;   // a robot's body this near is what was touched
+constexpr double kReach_m = 0.8;    // of keep_clear(), as for surfaces
+constexpr double kSeesNow_m = 2.0;  // what is farther away has no new echo near it
 
 Point turned(const Point& v_B, double yaw_WB_rad) {
   const Point ahead = direction(yaw_WB_rad);
@@ -25,13 +25,18 @@ std::vector<Point> in_base_frame(const std::vector<Point>& places_W, const Perce
 
 }  // namespace
 
-bool UnseenObstacles::is_explained(const Point& at_W, const Surfaces& surfaces, const Config& config,
+bool UnseenObstacles::is_explained(const Touch& touch, const Surfaces& surfaces, const Config& config,
                                    const Perception& seen) {
   if (seen.robot_near && seen.robots.empty()) return true;
-  const bool robot = std::ranges::any_of(seen.robots, [&](const Neighbour& one) {
-    return distance_m(Body{one.p_WB, one.yaw_WB_rad}, at_W, config) < kRobot_m;
+  const Point beside_B{-touch.towards_B.y(), touch.towards_B.x()};
+  return std::ranges::any_of(std::array{-1.0, 0.0, 1.0}, [&](double side) {
+    const Point at_B = touch.at_B + side * touch.either_side_m * beside_B;
+    const Point at_W = seen.p_WB + turned(at_B, seen.yaw_WB_rad);
+    const bool robot = std::ranges::any_of(seen.robots, [&](const Neighbour& one) {
+      return distance_m(Body{one.p_WB, one.yaw_WB_rad}, at_W, config) < kRobot_m;
+    });
+    return robot || surfaces.is_high(at_W);
   });
-  return robot || surfaces.has_seen(at_W);
 }
 
 std::optional<Point> UnseenObstacles::feel(const Sensors& sensors, const Wheels& told,
@@ -40,11 +45,14 @@ std::optional<Point> UnseenObstacles::feel(const Sensors& sensors, const Wheels&
   std::optional<Point> is_new;
   if (const auto touch = sensor_.update(seen.now, sensors, told, config)) {
     const Point at = seen.p_WB + turned(touch->at_B, seen.yaw_WB_rad);
-    seen.touched = !is_explained(at, surfaces, config, seen);
+    seen.touched = !is_explained(*touch, surfaces, config, seen);
     if (seen.touched && places_.add(at, turned(touch->towards_B, seen.yaw_WB_rad), config)) is_new = at;
   }
+  if (const auto place = expect(surfaces, config, seen)) is_new = place;
+  if (patience_.is_lost(seen)) places_.forget_around(seen.p_WB, Patience::kForgets_m);
   if (places_.empty()) return is_new;
-  lose_patience(seen, config);
+  places_.forget_if(
+      [&](const Point& at) { return seen.distance_to(at) < kSeesNow_m && surfaces.is_high(at); });
   places_.stand_on({seen.p_WB, seen.yaw_WB_rad}, config);
   for (const Point& at : places_.at(seen.p_WB, kReach_m)) seen.surfaces.push_back(at);
   seen.touched_W = places_.middles(seen.p_WB, config.vision_radius_m);
@@ -54,23 +62,25 @@ std::optional<Point> UnseenObstacles::feel(const Sensors& sensors, const Wheels&
   return is_new;
 }
 
-std::optional<Point> UnseenObstacles::touch_ahead(const Surfaces& surfaces, const Config& config,
-                                                  const Perception& seen) {
-  if (config.touched_places == 0) return std::nullopt;
+/// The place of what is ahead and lower than the sonars, if it is new.
+std::optional<Point> UnseenObstacles::expect(const Surfaces& surfaces, const Config& config,
+                                             const Perception& seen) {
+  const auto ahead_m = vanishing_.update(seen);
+  if (!ahead_m) return std::nullopt;
   const Point ahead = direction(seen.yaw_WB_rad);
-  const Point at = seen.p_WB + config.body_ahead_m * ahead;
-  if (is_explained(at, surfaces, config, seen) || !places_.add(at, ahead, config)) return std::nullopt;
+  const Point at = seen.p_WB + *ahead_m * ahead;
+  if (surfaces.is_high(at) || !places_.add(at, ahead, config)) return std::nullopt;
   return at;
 }
 
-void UnseenObstacles::lose_patience(const Perception& seen, const Config& config) {
-  if (seen.distance_to(got_to_) > kSomewhere_m) {
-    got_to_ = seen.p_WB;
-    got_there_ = seen.now;
-  } else if (seen.now - got_there_ > config.touch_patience) {
-    places_.forget_around(seen.p_WB, kForgets_m);
-    got_there_ = seen.now;
-  }
+std::optional<Point> UnseenObstacles::touch_ahead(const Surfaces& surfaces, const Config& config,
+                                                  const Perception& seen) {
+  if (config.touched_places == 0) return std::nullopt;
+  const Touch touch{{config.body_ahead_m, 0.0}, {1.0, 0.0}, 0.5 * config.body_width_m};
+  const Point ahead = direction(seen.yaw_WB_rad);
+  const Point at = seen.p_WB + config.body_ahead_m * ahead;
+  if (is_explained(touch, surfaces, config, seen) || !places_.add(at, ahead, config)) return std::nullopt;
+  return at;
 }
 
 }  // namespace caravan::agent

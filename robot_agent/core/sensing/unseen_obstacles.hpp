@@ -5,17 +5,21 @@
 #include "robot_agent/core/sensing/surfaces.hpp"
 #include "robot_agent/core/sensing/touch.hpp"
 #include "robot_agent/core/sensing/touched_places.hpp"
+#include "robot_agent/core/sensing/vanishing_echo.hpp"
 
 namespace caravan::agent {
 
-/// Obstacles that the sonars do not see: felt by the wheels, remembered for the whole run, and put beside the
-/// echoes for everything that drives and plans.
+/// Obstacles that the sonars do not see from close by: felt by the wheels, or noticed by an echo that
+/// vanishes, remembered for the whole run, and put beside the echoes for everything that drives and plans.
 ///
 /// What is touched is no such obstacle when a robot is there, when one is heard that does not tell where it
-/// is, or when the sonars saw a surface there not long ago. A robot that gets nowhere for
-/// config.touch_patience forgets what it touched around it: places that are wrong cannot hold it for longer.
+/// is, or when the sonars saw a surface there not long ago. Where they see something from close by, sooner or
+/// later, is none either: the corner of something high. A robot that gets nowhere for config.touch_patience
+/// forgets what it touched around it: places that are wrong cannot hold it for longer.
 class UnseenObstacles {
  public:
+  explicit UnseenObstacles(const Config& config) : patience_{config.touch_patience} {}
+
   /// To be called in every step; completes `seen`.
   /// @param told  what the wheels were told in the step before
   /// @return the place that is new, frame W
@@ -25,13 +29,14 @@ class UnseenObstacles {
   std::optional<Point> touch_ahead(const Surfaces& surfaces, const Config& config, const Perception& seen);
 
  private:
-  [[nodiscard]] static bool is_explained(const Point& at_W, const Surfaces& surfaces, const Config& config,
+  [[nodiscard]] static bool is_explained(const Touch& touch, const Surfaces& surfaces, const Config& config,
                                          const Perception& seen);
-  void lose_patience(const Perception& seen, const Config& config);
+  [[nodiscard]] std::optional<Point> expect(const Surfaces& surfaces, const Config& config,
+                                            const Perception& seen);
   TouchSensor sensor_;
+  VanishingEcho vanishing_;
   TouchedPlaces places_;
-  Point got_to_{0.0, 0.0};
-  Time got_there_{0};
+  Patience patience_;
 };
 
 }  // namespace caravan::agent

@@ -44,13 +44,14 @@ TEST(TouchSensor, FeelsWhatStopsBothWheelsAheadOnceForEachTouch) {
   EXPECT_EQ(wheels.touches(), 1);
 }
 
-TEST(TouchSensor, FeelsOnTheSideOfTheWheelThatIsSlowed) {
-  for (const double side : {1.0, -1.0}) {
+// Of a face met at more than 45 degrees the wheel on the far side is slowed.
+TEST(TouchSensor, DoesNotTakeTheWheelThatIsSlowedForTheSide) {
+  for (const Wheels& turning : {Wheels{0.5, 0.9}, Wheels{0.9, 0.5}}) {
     Wheelwork wheels;
     EXPECT_FALSE(wheels.run(20, {0.9, 0.9}, {0.9, 0.9}));
-    const auto touch = wheels.run(4, {0.9, 0.9}, side > 0.0 ? Wheels{0.5, 0.9} : Wheels{0.9, 0.5});
+    const auto touch = wheels.run(4, {0.9, 0.9}, turning);
     ASSERT_TRUE(touch);
-    EXPECT_DOUBLE_EQ(touch->at_B.y(), side * 0.1905);
+    EXPECT_EQ(touch->at_B, (Point{0.2, 0.0}));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <limits>
 
 #include "robot_agent/core/navigation/exploration.hpp"
@@ -20,11 +21,14 @@ constexpr Time kStep = 32ms;
 class Driven {
  public:
   Config config;
-  Surfaces surfaces;
-  UnseenObstacles obstacles;
+  Surfaces surfaces{Config{}};
+  UnseenObstacles obstacles{Config{}};
   std::vector<Neighbour> robots;
   bool heard = false;
   double gps_noise_m = 0.0;
+  double wall_x_m = std::numeric_limits<double>::infinity();  // something ahead
+  double vanishes_m = 0.0;                                    // nearer than this it returns no echo
+  double beside_m = std::numeric_limits<double>::infinity();  // something beside the robot, on its left
 
   /// @return how many places are new
   int drive(int steps, bool stopped) {
@@ -40,6 +44,12 @@ class Driven {
   std::optional<Point> look(const Wheels& told) {
     Sensors sensors;
     sensors.sonar_range_m.fill(std::numeric_limits<double>::infinity());
+    const Point front = p_WB_ + Point{0.166, 0.0};
+    for (const std::size_t sonar : {3U, 4U}) {
+      const double range = wall_x_m - front.x();
+      if (range > vanishes_m) sensors.sonar_range_m[sonar] = range / std::cos(0.175);
+    }
+    if (std::isfinite(beside_m)) sensors.sonar_range_m[0] = beside_m;
     sensors.p_WB = p_WB_ + Point{random_.uniform(-gps_noise_m, gps_noise_m), 0.0};
     sensors.left_wheel_rad = sensors.right_wheel_rad = angle_rad_;
     seen_ = perceive(now_, sensors, heard || !robots.empty(), robots, config);
@@ -52,7 +62,6 @@ class Driven {
     (void)look({});
   }
   [[nodiscard]] const Perception& seen() const { return *seen_; }
-  Driven() { config.touched_places = 128; }
 
   static constexpr Wheels kDrives{0.9, 0.9};
 
@@ -97,10 +106,75 @@ TEST(UnseenObstacles, AreNotWhatRobotsAre) {
   heard.drive(20, false);
   heard.heard = true;
   EXPECT_EQ(heard.drive(10, true), 0) << "one is heard and does not tell where it is";
+  Driven corner;
+  corner.drive(20, false);
+  corner.robots = {{RobotId{2}, corner.seen().p_WB + Point{0.5, 0.45}, 0.0, 0.0, 0.0}};
+  EXPECT_EQ(corner.drive(10, true), 0) << "one is at the corner of the front";
   Driven elsewhere;
   elsewhere.drive(20, false);
   elsewhere.robots = {{RobotId{2}, elsewhere.seen().p_WB + Point{0.0, 1.0}, 0.0, 0.0, 0.0}};
   EXPECT_EQ(elsewhere.drive(10, true), 1) << "it is not in the way";
+}
+
+// Something low returns an echo from a distance and none from close by.
+TEST(UnseenObstacles, AreNotWhatWasSeenFromCloseByBeforeButWhatWasSeenFromADistance) {
+  for (const double distance : {0.3, 0.8}) {
+    SCOPED_TRACE(distance);
+    Driven robot;
+    robot.beside_m = distance;
+    robot.stand_at(Point{0.78, 0.0} - Point{0.069, 0.136 + distance});
+    robot.beside_m = std::numeric_limits<double>::infinity();
+    robot.stand_at({0.0, 0.0});
+    ASSERT_EQ(robot.drive(20, false), 0);
+    const bool is_low = distance > 0.5;
+    EXPECT_EQ(robot.drive(4, true), is_low ? 1 : 0) << "touched at x = 0.78";
+    EXPECT_EQ(robot.seen().touched_W.empty(), !is_low);
+  }
+}
+
+TEST(UnseenObstacles, AreForgottenWhenTheyShowThemselvesFromCloseBy) {
+  Driven robot;
+  robot.drive(20, false);
+  ASSERT_EQ(robot.drive(4, true), 1);
+  const Point there = robot.seen().p_WB;
+  robot.stand_at(there - Point{0.8, 0.0});
+  EXPECT_THAT(robot.seen().touched_W, testing::SizeIs(1));
+  robot.beside_m = 0.2;
+  robot.stand_at(there + Point{0.1, -0.3});
+  EXPECT_THAT(robot.seen().touched_W, testing::IsEmpty()) << "it is as high as the sonars";
+}
+
+TEST(UnseenObstacles, AreKnownBeforeTheyAreTouchedByTheEchoThatVanishes) {
+  for (const double vanishes : {0.57, 0.85}) {
+    SCOPED_TRACE(vanishes);
+    Driven robot;
+    robot.wall_x_m = 2.5;
+    robot.vanishes_m = vanishes;
+    EXPECT_EQ(robot.drive(70, false), 1);
+    ASSERT_THAT(robot.seen().touched_W, testing::SizeIs(1));
+    EXPECT_NEAR(robot.seen().touched_W[0].x() - robot.config.touch_margin_m, 2.5, 0.05);
+    EXPECT_LT(free_ahead_m(robot.seen().around, robot.config), 0.5) << "what drives takes it for an echo";
+  }
+}
+
+TEST(UnseenObstacles, AreNotMadeByEchoesThatVanishOtherwise) {
+  Driven high;
+  high.wall_x_m = 2.5;
+  EXPECT_EQ(high.drive(70, false), 0) << "as high as the sonars";
+  Driven away;
+  away.wall_x_m = 4.0;
+  away.vanishes_m = 1.6;
+  EXPECT_EQ(away.drive(90, false), 0) << "too far away: the floor, or a door that shut";
+  Driven robot;
+  robot.wall_x_m = 2.5;
+  robot.vanishes_m = 0.57;
+  robot.heard = true;
+  EXPECT_EQ(robot.drive(70, false), 0) << "a robot that does not tell where it is";
+  Driven told;
+  told.wall_x_m = 2.5;
+  told.vanishes_m = 0.57;
+  told.robots = {{RobotId{2}, {2.7, 0.0}, 0.0, 0.0, 0.0}};
+  EXPECT_EQ(told.drive(70, false), 0) << "a robot that told where it is";
 }
 
 TEST(UnseenObstacles, AreNotMadeByNoiseOfTheGps) {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "robot_agent/core/sensing/perception.hpp"
+
+namespace caravan::agent {
+
+/// Notices a robot that gets nowhere. What it remembers may be wrong then, and is forgotten within
+/// kForgets_m.
+class Patience {
+ public:
+  static constexpr double kForgets_m = 1.0;
+
+  explicit Patience(Time patience) : patience_{patience} {}
+  /// To be called in every step. @return true when the robot has not come on for so long; then anew
+  [[nodiscard]] bool is_lost(const Perception& seen) {
+    constexpr double kSomewhere_m = 0.5;
+    if (seen.distance_to(got_to_) > kSomewhere_m) {
+      got_to_ = seen.p_WB;
+      got_there_ = seen.now;
+    }
+    if (seen.now - got_there_ <= patience_) return false;
+    got_there_ = seen.now;
+    return true;
+  }
+
+ private:
+  Time patience_;
+  Point got_to_{0.0, 0.0};
+  Time got_there_{0};
+};
+
+}  // namespace caravan::agent

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/core/sensing/surface_map.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace caravan::agent {
+namespace {
+
+constexpr double kSide_m = 0.05;      // of a square; one place in each
+constexpr double kExact_m = 1.2;      // beyond this range an echo does not say well enough where it is from
+constexpr double kClose_m = 0.4;      // what is 0.13 m high, or less, vanishes before
+constexpr double kHigh_m = 0.4;       // around what was seen from close by
+constexpr double kReach_m = 0.8;      // of keep_clear()
+constexpr double kRobot_m = 0.5;      // around the axle of one
+constexpr std::size_t kMost = 20000;  // places; the walls of a large hall have fewer
+
+double square_of(double along_m) { return std::floor(along_m / kSide_m); }
+
+bool within(const Point& a, const Point& b, double distance_m) {
+  return (a - b).squaredNorm() < distance_m * distance_m;
+}
+
+}  // namespace
+
+template <typename Visit>
+void SurfaceMap::visit_within(const Point& p_W, double radius_m, const Visit& visit) const {
+  const double last = square_of(p_W.x() + radius_m);
+  const double high = square_of(p_W.y() + radius_m);
+  for (double x = square_of(p_W.x() - radius_m); x <= last; x += 1.0) {
+    auto one = places_.lower_bound({x, square_of(p_W.y() - radius_m)});
+    for (; one != places_.end() && one->first.first == x && one->first.second <= high; ++one) {
+      if (within(one->second.at, p_W, radius_m)) visit(one->first, one->second);
+    }
+  }
+}
+
+void SurfaceMap::see(const Perception& seen) {
+  for (const Neighbour& robot : seen.robots) forget_around(robot.p_WB, kRobot_m);
+  // A robot that does not tell where it is looks like any other thing.
+  if (seen.robot_near && seen.robots.empty()) return;
+  const Point ahead = direction(seen.yaw_WB_rad);
+  const Point left{-ahead.y(), ahead.x()};
+  for (const Echo& echo : seen.still.echoes()) {
+    if (echo.range_m > kExact_m) continue;
+    remember(seen.p_WB + echo.p_B.x() * ahead + echo.p_B.y() * left, seen.now, echo.range_m < kClose_m);
+  }
+}
+
+void SurfaceMap::touch(const Point& at_W, Time now) { remember(at_W, now, false); }
+
+void SurfaceMap::remember(const Point& at_W, Time now, bool close) {
+  if (places_.size() >= kMost) places_.clear();
+  Place& place = places_[{square_of(at_W.x()), square_of(at_W.y())}];
+  place = {at_W, now, place.close || close};
+}
+
+void SurfaceMap::forget_around(const Point& p_W, double radius_m) {
+  std::vector<Square> gone;
+  visit_within(p_W, radius_m, [&](const Square& square, const Place&) { gone.push_back(square); });
+  for (const Square& square : gone) places_.erase(square);
+}
+
+bool SurfaceMap::is_high(const Point& at_W) const {
+  bool high = false;
+  visit_within(at_W, kHigh_m, [&](const Square&, const Place& place) { high = high || place.close; });
+  return high;
+}
+
+void SurfaceMap::add_near(const Point& p_WB, const Span& seen, std::vector<Point>& places) const {
+  if (seen.from >= seen.to) return;
+  visit_within(p_WB, kReach_m, [&](const Square&, const Place& place) {
+    if (place.seen >= seen.from && place.seen < seen.to) places.push_back(place.at);
+  });
+}
+
+}  // namespace caravan::agent
