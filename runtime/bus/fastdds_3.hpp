@@ -81,7 +81,10 @@ class PortableType : public PubSubType {
   virtual bool write(const void* sample, Payload& to) {
     return PubSubType::serialize(sample, to, dds::XCDR_DATA_REPRESENTATION);
   }
-  virtual bool read(Payload& from, void* sample) { return PubSubType::deserialize(from, sample); }
+  virtual bool read(Payload& from, void* sample) {
+    // Fast CDR 2 takes a sample that ends between two members for a whole one.
+    return PubSubType::deserialize(from, sample) && size_of(sample) <= from.length;
+  }
   virtual std::uint32_t size_of(const void* sample) {
     return PubSubType::calculate_serialized_size(sample, dds::XCDR_DATA_REPRESENTATION);
   }

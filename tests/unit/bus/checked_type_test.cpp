@@ -71,14 +71,41 @@ TEST(CheckedType, AGoodSampleAfterABadOneCounts) {
   EXPECT_EQ(read<msg::RobotCommandPubSubType>(bytes_of<msg::RobotCommandPubSubType>({})), std::nullopt);
 }
 
+template <typename Type>
+void expect_whole_only(const typename Type::type& sample) {
+  const Bytes bytes = bytes_of<Type>(sample);
+  EXPECT_EQ(read<Type>(bytes), std::nullopt);
+  for (std::size_t length = 0; length < bytes.size(); ++length) {
+    const Bytes start(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));
+    EXPECT_EQ(read<Type>(start), Refusal::kMalformed) << length << " of " << bytes.size() << " bytes";
+  }
+}
+
 template <typename... Types>
 struct Each {
+  static void expect_empty_ones_whole_only() { (expect_whole_only<Types>({}), ...); }
   static void read_all(const Bytes& bytes) { (((void)read<Types>(bytes)), ...); }
 };
 using All = Each<msg::SensorFramePubSubType, msg::RobotCommandPubSubType, msg::RadioTransmitPubSubType,
                  msg::RadioReceivePubSubType, msg::TelemetryPubSubType, msg::WorldTruthPubSubType,
                  msg::RadioStepPubSubType, msg::WorldStatusPubSubType, msg::RadioStatusPubSubType,
                  msg::RunCreditPubSubType, msg::ControlRequestPubSubType, msg::ControlReplyPubSubType>;
+
+TEST(CheckedType, RefusesWhatEndsAnywhereBeforeItsEnd) {
+  All::expect_empty_ones_whole_only();
+  msg::Telemetry telemetry;
+  telemetry.path().resize(2);
+  telemetry.events().resize(2);
+  telemetry.events()[0].name("odd");
+  expect_whole_only<msg::TelemetryPubSubType>(telemetry);
+  msg::RadioTransmit transmit;
+  transmit.frames().resize(3);
+  transmit.frames()[1].bytes().resize(5);
+  expect_whole_only<msg::RadioTransmitPubSubType>(transmit);
+  msg::ControlReply reply;
+  reply.reason("a reason");
+  expect_whole_only<msg::ControlReplyPubSubType>(reply);
+}
 
 TEST(CheckedType, TakesAnyBytes) {
   for (std::uint32_t seed = 1; seed <= 2000; ++seed) {
