@@ -31,6 +31,12 @@ namespace caravan::runtime {
 namespace rtps {
 using namespace eprosima::fastdds::rtps;   // NOLINT(google-build-using-namespace)
 using namespace eprosima::fastrtps::rtps;  // NOLINT(google-build-using-namespace)
+// Of these the other namespace has aliases, which clang does not take for the same types.
+using eprosima::fastdds::rtps::TransportDescriptorInterface;
+using eprosima::fastdds::rtps::TransportInterface;
+using eprosima::fastdds::rtps::TransportReceiverInterface;
+using eprosima::fastdds::rtps::UDPTransportDescriptor;
+using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
 }  // namespace rtps
 
 inline constexpr const char* kDdsVersion = FASTRTPS_VERSION_STR;
