@@ -47,10 +47,10 @@ def builds(folder: pathlib.Path | None, preset: str) -> list:
 
 
 def embedded_digest(build: Build, seconds: str, seed: str) -> str:
-    run = subprocess.run(
-        build.line("caravan", "run", SCENARIO, "--engine", "embedded", "--items", "0", "--max-time", seconds, "--seed", seed, "--out",
-                   f"/tmp/two_releases_{os.getpid()}"), cwd=ROOT, check=True, capture_output=True, text=True, timeout=PATIENCE_S)
-    return re.search(r"^digest\s+([0-9a-f]+)$", run.stdout, re.M)[1]
+    out = f"/tmp/two_releases_{os.getpid()}_{seed}"
+    run = f"{build.programs}/caravan run {SCENARIO} --engine embedded --items 0 --max-time {seconds} --seed {seed} --out {out} && rm -r {out}"
+    done = subprocess.run([*build.prefix, "sh", "-c", run], cwd=ROOT, check=True, capture_output=True, text=True, timeout=PATIENCE_S)
+    return re.search(r"^digest\s+([0-9a-f]+)$", done.stdout, re.M)[1]
 
 
 @contextlib.contextmanager
