@@ -32,6 +32,7 @@ namespace rtps {
 using namespace eprosima::fastdds::rtps;   // NOLINT(google-build-using-namespace)
 using namespace eprosima::fastrtps::rtps;  // NOLINT(google-build-using-namespace)
 // Of these the other namespace has aliases, which clang does not take for the same types.
+using eprosima::fastdds::rtps::LocatorsIterator;
 using eprosima::fastdds::rtps::TransportDescriptorInterface;
 using eprosima::fastdds::rtps::TransportInterface;
 using eprosima::fastdds::rtps::TransportReceiverInterface;
