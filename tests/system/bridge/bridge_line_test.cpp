@@ -118,6 +118,9 @@ TEST_F(BridgeLine, IsNotSharedWithAnotherBridgeOfThisMachine) {
 }
 
 TEST_F(BridgeLine, ATerminalIsNotSharedWithAnotherBridgeEither) {
+  if (const std::string reason = no_terminals_because(); !reason.empty()) {
+    GTEST_SKIP() << "no pseudo-terminals here: " << reason;
+  }
   put_robot_into_world();
   const SerialCable serial{robot_.port, B9600};
   drive_by(serial.path());
@@ -125,6 +128,26 @@ TEST_F(BridgeLine, ATerminalIsNotSharedWithAnotherBridgeEither) {
   std::filesystem::create_symlink(serial.path(), link);
   EXPECT_THAT(refused(link, "none"), HasSubstr("is in use by another bridge (pid "));
   EXPECT_TRUE(truth_.drives(1)) << bridge_->output();
+}
+
+// Root may open it all the same, but for root in a namespace of users of its own.
+TEST_F(BridgeLine, ATerminalIsNotOpenedByOtherPrograms) {
+  if (const std::string reason = no_terminals_because(); !reason.empty()) {
+    GTEST_SKIP() << "no pseudo-terminals here: " << reason;
+  }
+  const std::vector<std::string> as_no_root{"/usr/bin/unshare", "--user", "--map-root-user", "/bin/sh", "-c"};
+  const auto ended = [&](const std::string& script) {
+    std::vector<std::string> command = as_no_root;
+    command.push_back(script);
+    deploy::Process other{command, folder_ / "other.log"};
+    return std::pair{other.wait(kPatience), other.output()};
+  };
+  if (ended("true").first != 0) GTEST_SKIP() << "no namespaces of users here";
+  put_robot_into_world();
+  const SerialCable serial{robot_.port, B9600};
+  ASSERT_EQ(ended(": < " + serial.path().string()).first, 0) << "before the bridge has it";
+  drive_by(serial.path());
+  EXPECT_THAT(ended(": < " + serial.path().string()).second, HasSubstr("busy"));
 }
 
 class Addresses : public BridgeLine {
