@@ -51,6 +51,7 @@ TEST(CheckedType, RefusesLengthsBeyondItsBytesAndKeepsNoMemory) {
   constexpr std::size_t kPathLength = 4 + 8 + 8 + 4 + 4 + 8 + 4;
   for (std::size_t i = 0; i < 4; ++i) bytes.at(kPathLength + i) = 0xff;
   msg::Telemetry telemetry;
+  telemetry.path().resize(1000);  // of the sample before
 
   EXPECT_EQ(read<msg::TelemetryPubSubType>(bytes, &telemetry), Refusal::kMalformed);
   EXPECT_EQ(telemetry.path().capacity(), 0U);
