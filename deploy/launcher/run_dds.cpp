@@ -86,6 +86,7 @@ class DdsRun {
   bool decided_ = false;
   bool stepped_ = false;
   std::size_t agent_processes_ = 0;
+  bool radio_ended_ = false;
   std::string failure_;
   bool could_not_start_ = false;
   bool interrupted_ = false;
@@ -149,6 +150,7 @@ void DdsRun::take_end(const runtime::Ended& one) {
   } else if (one.name == "world_server" || (request_.trace && one.exit_code == runtime::kFailed)) {
     failure_ = how;  // without its radio's part a trace is worth nothing
   } else {
+    radio_ended_ = true;
     std::fprintf(stderr, "%s; the robots drive on alone\n", how.c_str());
   }
 }
@@ -195,7 +197,8 @@ void DdsRun::follow() {
 
 bool DdsRun::have_last_statuses() const {
   if (!newest_.world || newest_.world->state() != msg::WorldStatus_Constants::FINISHED) return false;
-  return !newest_.radio || idl::to_time(newest_.radio->stamp()) >= idl::to_time(newest_.world->stamp());
+  return !newest_.radio || radio_ended_ ||
+         idl::to_time(newest_.radio->stamp()) >= idl::to_time(newest_.world->stamp());
 }
 
 experiment::RunEnd DdsRun::so_far() const {

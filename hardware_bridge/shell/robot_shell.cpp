@@ -132,6 +132,7 @@ void RobotShell::let_in_a_host() {
   // One host at a time; none while the robot has no body, as if it were switched off.
   if (!host_.is_open() && session_ != 0) {
     host_.adopt(std::move(*another));
+    has_host_ = true;
     robot_.connected(now());
     told_unknown_.clear();
     told_turned_away_ = false;
@@ -148,20 +149,26 @@ void RobotShell::attend_robot(bool host_waits, bool ready) {
   if (std::exchange(rebooted_, false) && host_.is_open()) {
     spdlog::info("the host's connection ends");
     host_.close();
+    has_host_ = false;
   }
-  if (host_waits) let_in_a_host();
   if (ready && host_.is_open()) {
-    const Bytes bytes = host_.attend();
-    robot_.receive(bytes, now());
+    robot_.receive(host_.attend(), now());
     tell_unknown_commands();
-    if (!host_.is_open()) {
-      robot_.disconnected();
-      spdlog::info("the host has gone: {}", host_.failure());
-    }
   }
+  let_go_of_a_host_that_has_gone();
+  // After the end of the one before: a host that connects again at once is let in.
+  if (host_waits) let_in_a_host();
   robot_.tick(now());
   const Bytes output = robot_.take_output();
   if (host_.is_open()) host_.write(output);
+  let_go_of_a_host_that_has_gone();
+}
+
+void RobotShell::let_go_of_a_host_that_has_gone() {
+  if (!has_host_ || host_.is_open()) return;
+  has_host_ = false;
+  robot_.disconnected();
+  spdlog::info("the host has gone: {}", host_.failure());
 }
 
 void RobotShell::attend_gps(bool client_waits, bool ready) {

@@ -49,6 +49,7 @@ class RobotShell {
   void tell_whether_a_body_is_there();
   void tell_unknown_commands();
   void let_in_a_host();
+  void let_go_of_a_host_that_has_gone();
   void attend_robot(bool host_waits, bool ready);
   void attend_gps(bool client_waits, bool ready);
 
@@ -60,6 +61,7 @@ class RobotShell {
   Listener robot_port_;
   Listener gps_port_;
   Line host_;
+  bool has_host_ = false;  // a line that has failed is closed, its host still to be let go
   Line gps_client_;
   bool told_turned_away_ = false;        // since a host was let in
   std::set<std::uint8_t> told_unknown_;  // commands of this host

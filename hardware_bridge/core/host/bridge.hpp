@@ -106,8 +106,8 @@ class Bridge {
   void publish(Time now);
   void grip(bool closed, Time now);
   [[nodiscard]] Wish safe(const Wish& wish);
-  void note(Notice::Weight weight, std::string text) {
-    effects_.notices.push_back({weight, std::move(text)});
+  void note(Notice::Weight weight, std::string text, std::string about = {}) {
+    effects_.notices.push_back({weight, std::move(text), std::move(about)});
   }
   [[nodiscard]] bool is_wished(Time now) const;
   void keep_still(Time now);

@@ -42,8 +42,9 @@ void Bridge::tick(Time now) {
 
 void Bridge::tell_safety(Time now) {
   const std::string unsafe = link_.unsafe(now);
-  if (!unsafe.empty() && was_safe_) note(Weight::kWarning, unsafe + ": wheels told to stop");
-  if (unsafe.empty() && !was_safe_ && link_.is_running()) note(Weight::kInfo, "the robot's line works again");
+  if (!unsafe.empty() && was_safe_) note(Weight::kWarning, unsafe + ": wheels told to stop", "line");
+  if (unsafe.empty() && !was_safe_ && link_.is_running())
+    note(Weight::kInfo, "the robot's line works again", "line");
   was_safe_ = unsafe.empty();
 }
 
@@ -63,14 +64,14 @@ void Bridge::tell_position(Time now) {
   const bool has = fusion_.has_position(now);
   if (has == had_position_) return;
   had_position_ = has;
-  if (has) return note(Weight::kInfo, "position known");
+  if (has) return note(Weight::kInfo, "position known", "position");
   std::string why = "position lost (GPS): wheels stopped";
   const Time limit = config_.fusion.gps_timeout;
   if (gps_.period() > limit) {
     why += "; the receiver gives a fix every " + in_seconds(*gps_.period()) + ", limit " + in_seconds(limit) +
            ": raise bridge.gps_timeout_s or the receiver's rate";
   }
-  note(Weight::kWarning, why);
+  note(Weight::kWarning, why, "position");
 }
 
 void Bridge::tell_what_is_awaited(Time now) {

@@ -35,7 +35,7 @@ std::vector<Notice> HealthMonitor::watch(const arcos::Sip& sip) {
   const auto tell = [&](bool& known, bool now, const std::string& begins, const std::string& ends) {
     if (known == now) return;
     known = now;
-    notices.push_back({now ? Notice::Weight::kWarning : Notice::Weight::kInfo, now ? begins : ends});
+    notices.push_back({now ? Notice::Weight::kWarning : Notice::Weight::kInfo, now ? begins : ends, ends});
   };
   bool motors_off = !motors_on_;
   tell(motors_off, (sip.flags & arcos::kMotorsOn) == 0,
@@ -52,7 +52,7 @@ std::vector<Notice> HealthMonitor::watch(const arcos::Sip& sip) {
   const auto bumpers = static_cast<std::uint16_t>(sip.stall_and_bumpers & ~kStalls);
   if (bumpers != bumpers_) {
     notices.push_back({bumpers != 0 ? Notice::Weight::kWarning : Notice::Weight::kInfo,
-                       bumpers != 0 ? "bumpers pressed:" + named(bumpers) : "bumpers are free"});
+                       bumpers != 0 ? "bumpers pressed:" + named(bumpers) : "bumpers are free", "bumpers"});
   }
   bumpers_ = bumpers;
   return notices;

@@ -15,6 +15,7 @@ struct Notice {
   enum class Weight : std::uint8_t { kInfo, kWarning };
   Weight weight = Weight::kInfo;
   std::string text;
+  std::string about = {};  ///< whose states it tells, such as "position"; empty: an event
 };
 
 /// "0.4 s", for notices.

@@ -11,6 +11,7 @@ using namespace std::chrono_literals;
 
 constexpr unsigned kAtOnce = 3;
 constexpr Time kPeriod = 30s;
+constexpr Time kLasts = 5s;              // a state
 constexpr std::size_t kMostKinds = 256;  // the rest is one
 
 std::string without_numbers(std::string text) {
@@ -24,7 +25,7 @@ std::optional<Notice> NoticeLimit::pass(Notice notice, Time now) {
   // What a device calls itself may be anything.
   std::replace_if(
       notice.text.begin(), notice.text.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
-  std::string name = without_numbers(notice.text);
+  std::string name = without_numbers(notice.about.empty() ? notice.text : notice.about);
   if (kinds_.size() >= kMostKinds && !kinds_.contains(name)) name.clear();
   Kind& kind = kinds_[name];
   if (kind.held_back == 0 && now >= kind.due) kind.passed = 0;
@@ -35,16 +36,20 @@ std::optional<Notice> NoticeLimit::pass(Notice notice, Time now) {
   }
   ++kind.held_back;
   kind.last = std::move(notice);
+  kind.changed = now;
   return std::nullopt;
 }
 
 std::vector<Notice> NoticeLimit::take_due(Time now) {
   std::vector<Notice> due;
   for (auto& [text, kind] : kinds_) {
-    if (kind.held_back == 0 || now < kind.due) continue;
-    const std::string count =
-        " (" + std::to_string(kind.held_back) + " times in " + std::to_string(kPeriod / 1s) + " s)";
-    due.push_back({kind.last.weight, kind.last.text + count});
+    const bool is_state = !kind.last.about.empty();
+    const bool lasts = is_state && now >= kind.changed + kLasts;
+    if (kind.held_back == 0 || (now < kind.due && !lasts)) continue;
+    const std::string count = std::to_string(kind.held_back);
+    due.push_back(
+        {kind.last.weight, kind.last.text + (is_state ? " (" + count + " changes since the last line of it)"
+                                                      : " (" + count + " times in the last 30 s)")});
     kind.held_back = 0;
     kind.due = now + kPeriod;
   }

@@ -13,8 +13,10 @@ namespace caravan::bridge {
 
 /// Limits how often notices of one kind are told, so that a fault that comes and goes does not fill a log.
 ///
-/// Notices that differ in their numbers only are of one kind. The first three pass. Of those that follow, the
-/// last one is told every 30 s, with how many there were. A kind that was quiet for 30 s begins anew.
+/// Events that differ in their numbers only are of one kind, as are the states of one thing. The first three
+/// of a kind pass. Of those that follow, the last one is told every 30 s, with how many there were; of states
+/// also when it has lasted for 5 s, so that the last line of a log is the state that holds. A kind that was
+/// quiet for 30 s begins anew.
 class NoticeLimit {
  public:
   /// @return the notice, when it is to be told now
@@ -27,7 +29,8 @@ class NoticeLimit {
     unsigned passed = 0;
     std::uint64_t held_back = 0;
     Notice last;
-    Time due{0};  // what is held back is told, or the kind begins anew
+    Time changed{0};  // when `last` came
+    Time due{0};      // what is held back is told, or the kind begins anew
   };
   std::map<std::string, Kind> kinds_;  // by the text without its numbers
 };

@@ -24,7 +24,7 @@ SonarWatch::Set SonarWatch::stuck(Time now) const {
 }
 
 Notice SonarWatch::told_of(const Set& stuck) const {
-  if (stuck.none()) return {Notice::Weight::kInfo, "sonars measure again"};
+  if (stuck.none()) return {Notice::Weight::kInfo, "sonars measure again", "sonars at 0"};
   std::string which;
   for (std::size_t i = 0; i < kSonarCount; ++i) {
     if (stuck[i]) which += (which.empty() ? "" : ", ") + std::to_string(i);
@@ -33,7 +33,8 @@ Notice SonarWatch::told_of(const Set& stuck) const {
                           : stuck.count() == 1 ? "sonar " + which + " reads"
                                                : "sonars " + which + " read";
   return {Notice::Weight::kWarning,
-          who + " 0 mm all the time, as if something touched them: covered, or defect? The robot may stand"};
+          who + " 0 mm all the time, as if something touched them: covered, or defect? The robot may stand",
+          "sonars at 0"};
 }
 
 std::vector<Notice> SonarWatch::watch(std::span<const arcos::Sip::Sonar> readings, Time now) {
@@ -48,7 +49,11 @@ std::vector<Notice> SonarWatch::watch(std::span<const arcos::Sip::Sonar> reading
   if (!readings.empty() || !last_reading_) last_reading_ = now;
   const bool silent = now - *last_reading_ >= kSilentAfter;
   if (silent && !told_silent_) {
-    notices.push_back({Notice::Weight::kWarning, "the sonars give no readings: are they switched on?"});
+    notices.push_back(
+        {Notice::Weight::kWarning, "the sonars give no readings: are they switched on?", "sonars"});
+  }
+  if (!silent && told_silent_) {
+    notices.push_back({Notice::Weight::kInfo, "the sonars give readings again", "sonars"});
   }
   told_silent_ = silent;
   // Whoever has just begun to read 0 is waited for, so that all are named in one line.

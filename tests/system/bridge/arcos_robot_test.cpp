@@ -238,6 +238,30 @@ TEST_F(ArcosRobot, AHostThatHangsUpStopsTheWheels) {
   EXPECT_TRUE(second.sip([](const Sip&) { return true; })) << "the next one is welcome";
 }
 
+TEST_F(ArcosRobot, AHostThatConnectsAgainAtOnceIsLetInEachTime) {
+  std::optional<Host> host{robot_.port};
+  for (int times = 0; times < 10; ++times) {
+    host->say(encode(Order::kPulse));
+    ASSERT_TRUE(host->next()) << "time " << times << "\n" << robot_.process->output();
+    host.reset();
+    host.emplace(robot_.port);
+  }
+}
+
+TEST_F(ArcosRobot, AHostThatReadsNothingIsLetGoAndTheWheelsStop) {
+  Host host{robot_.port};
+  host.open();
+  ASSERT_TRUE(host.sip([](const Sip& sip) { return sip.left_mmps < -50; }, wheels(-0.1, 0.1)));
+  EXPECT_TRUE(eventually(
+      [&] {
+        for (int i = 0; i < 500; ++i) host.say(encode(Order::kConfig));
+        return !host.is_connected();
+      },
+      kPatience));
+  EXPECT_TRUE(robot_.process->prints("the host has gone", kPatience)) << robot_.process->output();
+  EXPECT_TRUE(truth_.rests(1));
+}
+
 TEST_F(ArcosRobot, TheWatchdogStopsARobotWhoseHostSaysNothing) {
   Host host{robot_.port};
   host.open();

@@ -29,7 +29,39 @@ TEST(NoticeLimit, TellsAFaultThatComesAndGoesThreeTimesThenOnceInThirtySecondsWi
   ASSERT_THAT(told, SizeIs(5));
   EXPECT_EQ(told[2], "no robot answers on the line");
   EXPECT_THAT(told[3], HasSubstr("no robot answers on the line (1"));
-  EXPECT_THAT(told[3], HasSubstr(" times in 30 s)"));
+  EXPECT_THAT(told[3], HasSubstr(" times in the last 30 s)"));
+}
+
+TEST(NoticeLimit, TheLastLineOfStatesIsTheOneThatHolds) {
+  const Notice lost{Notice::Weight::kWarning, "position lost", "position"};
+  const Notice known{Notice::Weight::kInfo, "position known", "position"};
+  NoticeLimit limit;
+  std::vector<std::string> told;
+  const auto pass = [&](const Notice& notice, Time now) {
+    if (const auto passed = limit.pass(notice, now)) told.push_back(passed->text);
+  };
+  for (int i = 0; i < 5; ++i) {
+    pass(lost, 2s * i);
+    pass(known, 2s * i + 1s);
+  }
+  for (Time now = 9s; now < 30s; now += 100ms) {
+    for (const Notice& notice : limit.take_due(now)) {
+      told.push_back(notice.text);
+      EXPECT_EQ(now, 14s);
+    }
+  }
+  EXPECT_THAT(told, ElementsAre("position lost", "position known", "position lost",
+                                "position known (7 changes since the last line of it)"));
+}
+
+TEST(NoticeLimit, StatesThatChangeAllTheTimeAreToldEveryThirtySeconds) {
+  NoticeLimit limit;
+  std::size_t told = 0;
+  for (Time now{0}; now < 91s; now += 1s) {
+    told += limit.pass({Notice::Weight::kInfo, now / 1s % 2 == 0 ? "on" : "off", "motors"}, now) ? 1 : 0;
+    told += limit.take_due(now).size();
+  }
+  EXPECT_LE(told, 6U);
 }
 
 TEST(NoticeLimit, NumbersMakeNoOtherKindAndOtherWordsDo) {

@@ -68,6 +68,8 @@ TEST_F(Sonars, ThatGiveNoReadingsAreTold) {
   run(1s, {});
   for (const Time end = now_ + 10s; now_ < end; now_ += 100ms) hear({});
   EXPECT_THAT(told_, ElementsAre(HasSubstr("sonars give no readings")));
+  run(1s, {});
+  EXPECT_THAT(told_, ElementsAre(HasSubstr("sonars give no readings"), "the sonars give readings again"));
 }
 
 }  // namespace
