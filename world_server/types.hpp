@@ -7,12 +7,14 @@
 #include <optional>
 #include <vector>
 
+#include "runtime/pure/robot_model.hpp"
+
 namespace caravan::world {
 
 /// Simulated time since the session began.
 using Time = std::chrono::nanoseconds;
 
-inline constexpr std::size_t kSonarCount = 16;
+using robot_model::kSonarCount;
 
 /// Where a robot truly is: its base (on the axle, on the floor) in frame W.
 struct Pose {

@@ -48,7 +48,6 @@ Exchange to_exchange(const agent::Exchange& exchange) {
 }  // namespace
 
 agent::Sensors to_sensors(const world::Senses& senses) {
-  static_assert(agent::kSonarCount == world::kSonarCount);
   return {.sonar_range_m = senses.sonar_range_m,
           .sonar_age_s = senses.sonar_age_s,
           .p_WB = {senses.gps_x_m, senses.gps_y_m},

@@ -5,14 +5,16 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
+
+#include "runtime/pure/angle.hpp"
+#include "runtime/pure/robot_model.hpp"
 
 namespace caravan::bridge {
 
 /// Time since the process began. It comes with the calls; the core never asks a clock.
 using Time = std::chrono::nanoseconds;
 
-inline constexpr std::size_t kSonarCount = 16;
+using robot_model::kSonarCount;
 
 /// A position in frame W (the arena's x and y), metres.
 struct Point {
@@ -26,11 +28,7 @@ struct Pose {
   double yaw_WB_rad = 0.0;  ///< counter-clockwise from W's x axis, in (-pi, pi]
 };
 
-/// In (-pi, pi].
-[[nodiscard]] inline double wrapped(double angle_rad) {
-  const double angle = std::remainder(angle_rad, 2.0 * std::numbers::pi);
-  return angle <= -std::numbers::pi ? std::numbers::pi : angle;
-}
+using pure::wrapped;
 
 [[nodiscard]] inline double seconds(Time time) { return std::chrono::duration<double>(time).count(); }
 [[nodiscard]] inline Time to_time(double seconds) { return Time{std::llround(seconds * 1e9)}; }

@@ -8,14 +8,15 @@
 
 #include "radio_emulator/medium/link_rules.hpp"
 #include "radio_emulator/medium/propagation.hpp"
+#include "runtime/pure/robot_model.hpp"
 
 namespace caravan::radio {
 
 /// The medium's rules. TOML table `[radio]`.
 struct MediumConfig {
   PropagationConfig propagation;
-  std::uint32_t channel_count = 1U << 20U;  ///< channels are 0 .. channel_count - 1
-  std::uint32_t mtu_bytes = 250;            ///< longer frames are refused
+  std::uint32_t channel_count = robot_model::kChannelCount;  ///< channels are 0 .. channel_count - 1
+  std::uint32_t mtu_bytes = robot_model::kMtu_bytes;         ///< longer frames are refused
   std::uint32_t queue_length =
       64;                  ///< frames that one receiver takes in a step; the newest beyond it are dropped
   std::uint64_t seed = 1;  ///< same seed, same losses

@@ -4,12 +4,15 @@
 #include <limits>
 #include <optional>
 
+#include "runtime/pure/robot_model.hpp"
+
 namespace caravan::radio {
 
 /// How frames fare between two places. Part of TOML table `[radio]`.
 struct PropagationConfig {
-  double range_m = 2.0;           ///< hard disc: a frame arrives iff distance(sender, receiver) <= range_m
-  double loss_probability = 0.0;  ///< within it, for each frame and receiver independently, in [0, 1]
+  double range_m =
+      robot_model::kRadioRange_m;  ///< hard disc: a frame arrives iff distance(sender, receiver) <= range_m
+  double loss_probability = 0.0;   ///< within it, for each frame and receiver independently, in [0, 1]
 };
 
 /// What a frame meets between a sender and a receiver.

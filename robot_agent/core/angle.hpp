@@ -2,17 +2,13 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 
 #include "robot_agent/core/types.hpp"
+#include "runtime/pure/angle.hpp"
 
 namespace caravan::agent {
 
-/// The same angle in (-pi, pi].
-[[nodiscard]] inline double wrapped(double angle_rad) {
-  const double turned = std::remainder(angle_rad, 2.0 * std::numbers::pi);
-  return turned <= -std::numbers::pi ? std::numbers::pi : turned;
-}
+using pure::wrapped;
 
 /// The unit vector at an angle, counter-clockwise from the frame's x axis.
 [[nodiscard]] inline Point direction(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "robot_agent/core/sharing_policy.hpp"
+#include "runtime/pure/robot_model.hpp"
 
 namespace caravan::agent {
 
@@ -19,14 +20,14 @@ struct Config {
   double service_radius_m = 1.5;
 
   // The body.
-  double wheel_limit_mps = 1.6;
-  double track_m = 0.330;
-  double wheel_radius_m = 0.0975;
-  double body_ahead_m = 0.200;  ///< from the axle to the front
-  double body_length_m = 0.485;
-  double body_width_m = 0.381;
-  double sonar_aperture_rad = 0.4;  ///< full cone of each sonar
-  double sonar_range_m = 5.0;
+  double wheel_limit_mps = robot_model::kWheelLimit_mps;
+  double track_m = robot_model::kTrack_m;
+  double wheel_radius_m = robot_model::kWheelRadius_m;
+  double body_ahead_m = robot_model::kBodyAhead_m;  ///< from the axle to the front
+  double body_length_m = robot_model::kBodyLength_m;
+  double body_width_m = robot_model::kBodyWidth_m;
+  double sonar_aperture_rad = robot_model::kSonarAperture_rad;  ///< full cone of each sonar
+  double sonar_range_m = robot_model::kSonarRange_m;
   bool robots_are_solid = true;  ///< false: robots pass through one another, so nobody gives way to anybody
 
   // Exploration (Algorithm 2).
@@ -70,8 +71,8 @@ struct Config {
   std::uint32_t accept_attempts = 8;
   std::chrono::nanoseconds session_timer = std::chrono::seconds{10};
   std::uint32_t points_per_frame = 20;
-  std::uint32_t channel_count = 1U << 20U;
-  std::uint32_t mtu_bytes = 250;
+  std::uint32_t channel_count = robot_model::kChannelCount;
+  std::uint32_t mtu_bytes = robot_model::kMtu_bytes;
 };
 
 }  // namespace caravan::agent

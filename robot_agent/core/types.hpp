@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/pure/robot_model.hpp"
+
 namespace caravan::agent {
 
 /// Simulated time since the session began. It comes with the inputs; the core never asks a clock.
@@ -46,7 +48,7 @@ struct ReceivedFrame {
   double signal_strength_dbm = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the radio does not say
 };
 
-inline constexpr std::size_t kSonarCount = 16;
+using robot_model::kSonarCount;
 
 /// One sensor frame. A real that is not known now is NaN.
 struct Sensors {

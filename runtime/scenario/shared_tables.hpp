@@ -5,15 +5,16 @@
 #include <cstdint>
 
 #include "runtime/config/toml_table.hpp"
+#include "runtime/pure/robot_model.hpp"
 
 /// The scenario's tables that more than one process reads. A table that only one process reads is defined
 /// beside that process.
 namespace caravan::runtime {
 
 struct SonarTable {
-  std::uint32_t rays = 8;     ///< 1 .. 32 for each sonar
-  double aperture_rad = 0.4;  ///< full cone
-  double range_m = 5.0;
+  std::uint32_t rays = 8;                                 ///< 1 .. 32 for each sonar
+  double aperture_rad = robot_model::kSonarAperture_rad;  ///< full cone
+  double range_m = robot_model::kSonarRange_m;
   double reflection_rad =
       0.39269908169872414;  ///< 22.5 degrees: a ray that meets a surface at this angle or more is lost
   double noise = 0.0;       ///< relative standard deviation
@@ -24,15 +25,15 @@ struct RobotsTable {
   std::uint32_t count = 15;
   std::array<double, 2> source_m{};  ///< frame W
   std::array<double, 2> destination_m{};
-  double service_radius_m = 1.5;  ///< within it items change hands
-  double wheel_limit_mps = 1.6;   ///< rim speed
-  double body_length_m = 0.485;
-  double body_ahead_m = 0.200;  ///< of the axle
-  double body_width_m = 0.381;
-  double body_height_m = 0.217;
-  double mass_kg = 9.0;
-  double track_m = 0.330;
-  double wheel_radius_m = 0.0975;
+  double service_radius_m = 1.5;                          ///< within it items change hands
+  double wheel_limit_mps = robot_model::kWheelLimit_mps;  ///< rim speed
+  double body_length_m = robot_model::kBodyLength_m;
+  double body_ahead_m = robot_model::kBodyAhead_m;  ///< of the axle
+  double body_width_m = robot_model::kBodyWidth_m;
+  double body_height_m = robot_model::kBodyHeight_m;
+  double mass_kg = robot_model::kMass_kg;
+  double track_m = robot_model::kTrack_m;
+  double wheel_radius_m = robot_model::kWheelRadius_m;
   double gps_noise_m = 0.0;  ///< standard deviation of each coordinate
   double compass_noise_rad = 0.0;
   /// False: robots neither touch nor sense one another and pay no heed to each other; only radio joins them.
@@ -43,9 +44,9 @@ struct RobotsTable {
 
 /// `[radio]`: the medium. Read by radio emulator and agents.
 struct RadioTable {
-  double range_m = 2.0;
-  std::uint32_t channel_count = 1U << 20U;
-  std::uint32_t mtu_bytes = 250;
+  double range_m = robot_model::kRadioRange_m;
+  std::uint32_t channel_count = robot_model::kChannelCount;
+  std::uint32_t mtu_bytes = robot_model::kMtu_bytes;
   std::uint32_t queue_length = 64;
   double loss_probability = 0.0;
 };

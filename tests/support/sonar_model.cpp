@@ -17,12 +17,6 @@ using agent::Point;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kReflection = 0.92387953251128674;  // cosine of 22.5 degrees
-constexpr std::array<double, 16> kX = {.069,  .114,  .148,  .166,  .166,  .148,  .114,  .069,
-                                       -.157, -.203, -.237, -.255, -.255, -.237, -.203, -.157};
-constexpr std::array<double, 16> kY = {.136,  .119,  .078,  .027,  -.027, -.078, -.119, -.136,
-                                       -.136, -.119, -.078, -.027, .027,  .078,  .119,  .136};
-constexpr std::array<double, 16> kHeading = {90,  50,   30,   10,   -10, -30, -50, -90,
-                                             -90, -130, -150, -170, 170, 150, 130, 90};
 
 /// A ray meets a wall.
 struct Hit {
@@ -77,8 +71,9 @@ std::array<double, agent::kSonarCount> sonar_ranges_m(std::span<const Wall> wall
   const Point left{-ahead.y(), ahead.x()};
   std::array<double, agent::kSonarCount> ranges{};
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    ranges[i] = range(walls, p_WB + kX[i] * ahead + kY[i] * left,
-                      yaw_WB_rad + kHeading[i] * std::numbers::pi / 180.0, range_m);
+    const robot_model::SonarMount& mount = robot_model::kSonarMounts[i];
+    ranges[i] =
+        range(walls, p_WB + mount.x_m * ahead + mount.y_m * left, yaw_WB_rad + mount.heading_rad, range_m);
   }
   return ranges;
 }

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "runtime/pure/angle.hpp"
 
 namespace caravan::world {
 namespace {
@@ -12,12 +13,6 @@ enum class Stream : std::uint64_t { kSonar = 1, kGps, kCompass };
 
 pure::Random stream(std::uint64_t seed, std::uint32_t robot, Stream which) {
   return pure::Random{seed, pure::mix_all(robot, static_cast<std::uint64_t>(which))};
-}
-
-/// In (-pi, pi].
-double wrapped(double angle_rad) {
-  const double angle = std::remainder(angle_rad, 2.0 * std::numbers::pi);
-  return angle <= -std::numbers::pi ? std::numbers::pi : angle;
 }
 
 }  // namespace
@@ -47,7 +42,7 @@ Pose Devices::locate(const Pose& truth) {
     seen.y_m += gps_noise_m_ * gps_random_.normal();
   }
   if (compass_noise_rad_ > 0.0)
-    seen.yaw_rad = wrapped(truth.yaw_rad + compass_noise_rad_ * compass_random_.normal());
+    seen.yaw_rad = pure::wrapped(truth.yaw_rad + compass_noise_rad_ * compass_random_.normal());
   return seen;
 }
 

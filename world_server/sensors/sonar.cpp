@@ -14,7 +14,8 @@ constexpr double kNoEcho = std::numeric_limits<double>::infinity();
 /// Of the farthest transducer from the base.
 double mount_radius() {
   double radius = 0.0;
-  for (const SonarMount& mount : sonar_mounts()) radius = std::max(radius, length(mount.place));
+  for (const robot_model::SonarMount& mount : robot_model::kSonarMounts)
+    radius = std::max(radius, length({mount.x_m, mount.y_m}));
   return radius;
 }
 
@@ -48,8 +49,8 @@ Sonars::Sonars(const WorldConfig& config)
       solids_{solids_of(config)} {
   for (const Solid& solid : solids_) add_sides(solid, faces_, discs_);
   for (std::size_t i = 0; i < kSonarCount; ++i) {
-    const SonarMount& mount = sonar_mounts()[i];
-    transducers_[i] = {mount.place, {std::cos(mount.heading_rad), std::sin(mount.heading_rad)}};
+    const robot_model::SonarMount& mount = robot_model::kSonarMounts[i];
+    transducers_[i] = {{mount.x_m, mount.y_m}, {std::cos(mount.heading_rad), std::sin(mount.heading_rad)}};
   }
   for (const Ray& ray : rays_) floor_echoes_ = floor_echoes_ || -ray.up > echo_cosine_;
   body_radius_ = std::max(length(body_low_), length(body_high_));

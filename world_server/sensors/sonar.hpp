@@ -10,6 +10,7 @@
 #include "world_server/sensors/sonar_fan.hpp"
 #include "world_server/shapes/neighbours.hpp"
 #include "world_server/shapes/reach_map.hpp"
+#include "world_server/types.hpp"
 
 namespace caravan::world {
 

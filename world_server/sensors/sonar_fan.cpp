@@ -5,23 +5,6 @@
 #include <numbers>
 
 namespace caravan::world {
-namespace {
-
-constexpr SonarMount mount(double x_mm, double y_mm, double heading_degrees) {
-  return {{x_mm / 1000.0, y_mm / 1000.0}, heading_degrees * std::numbers::pi / 180.0};
-}
-
-}  // namespace
-
-const std::array<SonarMount, kSonarCount>& sonar_mounts() {
-  static constexpr std::array<SonarMount, kSonarCount> kMounts{
-      mount(69, 136, 90),     mount(114, 119, 50),     mount(148, 78, 30),     mount(166, 27, 10),
-      mount(166, -27, -10),   mount(148, -78, -30),    mount(114, -119, -50),  mount(69, -136, -90),
-      mount(-157, -136, -90), mount(-203, -119, -130), mount(-237, -78, -150), mount(-255, -27, -170),
-      mount(-255, 27, 170),   mount(-237, 78, 150),    mount(-203, 119, 130),  mount(-157, 136, 90)};
-  return kMounts;
-}
-
 std::vector<Ray> sonar_rays(const runtime::SonarTable& sonar) {
   const double half = 0.5 * sonar.aperture_rad;
   const bool has_axis = sonar.rays == 1 || sonar.rays > 3;

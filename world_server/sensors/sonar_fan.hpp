@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "runtime/scenario/shared_tables.hpp"
 #include "world_server/shapes/point.hpp"
-#include "world_server/types.hpp"
 
 namespace caravan::world {
-
-/// Where a transducer sits and looks, in the robot's frame B.
-struct SonarMount {
-  Point place;               ///< m
-  double heading_rad = 0.0;  ///< of its axis
-};
-
-/// The Pioneer 3-DX's two arrays of eight: 0 .. 7 ahead from left to right, 8 .. 15 behind from right to left
-/// (ARIA's p3dx.p).
-[[nodiscard]] const std::array<SonarMount, kSonarCount>& sonar_mounts();
 
 inline constexpr double kSonarHeight = 0.2115;  ///< m above the floor
 

@@ -17,6 +17,7 @@
 #include "hardware_bridge/core/host/stop_latch.hpp"
 #include "hardware_bridge/core/pose/arena_projection.hpp"
 #include "hardware_bridge/core/pose/pose_fusion.hpp"
+#include "runtime/pure/robot_model.hpp"
 
 namespace caravan::bridge {
 
@@ -32,9 +33,9 @@ struct BridgeConfig {
   bool has_gripper = true;  ///< false: it is imagined by position
   Point source_W;           ///< for an imagined gripper
   double service_radius_m = 1.5;
-  double wheel_limit_mps = 1.6;
-  double track_m = 0.330;
-  double wheel_radius_m = 0.0975;
+  double wheel_limit_mps = robot_model::kWheelLimit_mps;
+  double track_m = robot_model::kTrack_m;
+  double wheel_radius_m = robot_model::kWheelRadius_m;
 };
 
 /// What the agent is told at each SIP. A real that is not known now is NaN.

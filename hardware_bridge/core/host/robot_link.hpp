@@ -15,13 +15,14 @@
 #include "hardware_bridge/core/host/line_lag.hpp"
 #include "hardware_bridge/core/host/notice.hpp"
 #include "hardware_bridge/core/values.hpp"
+#include "runtime/pure/robot_model.hpp"
 
 namespace caravan::bridge {
 
 struct LinkConfig {
   double acceleration_mps2 = 2.0;  ///< what the robot is told to take for starting and braking
-  double speed_limit_mps = 1.6;
-  double track_m = 0.330;
+  double speed_limit_mps = robot_model::kWheelLimit_mps;
+  double track_m = robot_model::kTrack_m;
   Time silence = std::chrono::milliseconds{400};  ///< without a SIP for so long, the robot is silent
   /// A robot whose own watchdog is slower is told of: nothing else stops it when its cable is cut.
   Time slowest_watchdog = std::chrono::milliseconds{600};

@@ -17,6 +17,7 @@
 #include "hardware_bridge/core/robot/report_request.hpp"
 #include "hardware_bridge/core/robot/stall_monitor.hpp"
 #include "hardware_bridge/core/values.hpp"
+#include "runtime/pure/robot_model.hpp"
 
 namespace caravan::bridge {
 
@@ -27,8 +28,8 @@ struct RobotConfig {
   ArenaPlace arena;
   double compass_offset_rad = 0.0;  ///< how far the compass reads too little
   Point antenna_B;                  ///< of its GPS receiver
-  double track_m = 0.330;
-  double wheel_radius_m = 0.0975;
+  double track_m = robot_model::kTrack_m;
+  double wheel_radius_m = robot_model::kWheelRadius_m;
   double battery_v = 12.6;
   std::uint8_t front_bumpers = 0;  ///< segments; up to arcos::kMostBumpers
   std::uint8_t rear_bumpers = 0;

@@ -13,26 +13,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-struct Mount {
-  double x_m, y_m, heading_deg;
-};
-// The Pioneer 3-DX's two arrays, frame B: 0 .. 7 in front from left to right, 8 .. 15 behind.
-constexpr std::array<Mount, kSonarCount> kMounts = {{{0.069, 0.136, 90},
-                                                     {0.114, 0.119, 50},
-                                                     {0.148, 0.078, 30},
-                                                     {0.166, 0.027, 10},
-                                                     {0.166, -0.027, -10},
-                                                     {0.148, -0.078, -30},
-                                                     {0.114, -0.119, -50},
-                                                     {0.069, -0.136, -90},
-                                                     {-0.157, -0.136, -90},
-                                                     {-0.203, -0.119, -130},
-                                                     {-0.237, -0.078, -150},
-                                                     {-0.255, -0.027, -170},
-                                                     {-0.255, 0.027, 170},
-                                                     {-0.237, 0.078, 150},
-                                                     {-0.203, 0.119, 130},
-                                                     {-0.157, 0.136, 90}}};
 constexpr double kOldest_s = 1.0;  // a robot at cruise has left the place that an older range is about
 constexpr double kOutermostFrontSonar = 50.0 * std::numbers::pi / 180.0;
 
@@ -43,8 +23,8 @@ struct Axis {
 std::array<Axis, kSonarCount> make_axes() {
   std::array<Axis, kSonarCount> axes;
   for (std::size_t i = 0; i < kSonarCount; ++i) {
-    axes[i] = {{kMounts[i].x_m, kMounts[i].y_m},
-               direction(kMounts[i].heading_deg * std::numbers::pi / 180.0)};
+    const robot_model::SonarMount& mount = robot_model::kSonarMounts[i];
+    axes[i] = {{mount.x_m, mount.y_m}, direction(mount.heading_rad)};
   }
   return axes;
 }

@@ -140,9 +140,9 @@ inline Point turned(Point a, double angle) { return placed(a, {}, std::cos(angle
 template <typename Visit>
 void for_each_ray(const Scene& scene, const Pose& pose, Visit visit) {
   for (std::size_t i = 0; i < kSonarCount; ++i) {
-    const SonarMount& mount = sonar_mounts()[i];
+    const robot_model::SonarMount& mount = robot_model::kSonarMounts[i];
     const Point from =
-        placed(mount.place, {pose.x_m, pose.y_m}, std::cos(pose.yaw_rad), std::sin(pose.yaw_rad));
+        placed({mount.x_m, mount.y_m}, {pose.x_m, pose.y_m}, std::cos(pose.yaw_rad), std::sin(pose.yaw_rad));
     for (const Ray& ray : sonar_rays(scene.config.robots.sonar)) {
       visit(i, from, Ray{turned(ray.flat, pose.yaw_rad + mount.heading_rad), ray.up});
     }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/pure/angle.hpp"
 #include "world_server/config/world_config.hpp"
 
 /// Worlds to test in.
@@ -30,8 +31,7 @@ inline std::uint64_t steps_in(double seconds) {
   return static_cast<std::uint64_t>(std::lround(seconds / 0.032));
 }
 
-/// The angle in (-pi, pi].
-inline double wrapped(double angle_rad) { return std::remainder(angle_rad, 2.0 * std::numbers::pi); }
+using pure::wrapped;
 
 inline constexpr double kDegree = std::numbers::pi / 180.0;
 
