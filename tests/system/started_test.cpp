@@ -54,15 +54,15 @@ TEST_F(Started, RobotsThatWaitForAnotherAreNotLost) {
   ASSERT_TRUE(does("start world"));
   ASSERT_TRUE(does("start radio"));
   ASSERT_TRUE(does("start robot 1-3"));
-  ASSERT_TRUE(comes("one is missing",
+  ASSERT_TRUE(happens("one is missing",
                     "missing lacks \"robot 1\" and missing lacks \"robot 2\" and "
                     "missing lacks \"robot 3\" and missing has \"robot 4\""));
   const auto began = std::chrono::steady_clock::now();
-  ASSERT_TRUE(comes(
+  ASSERT_TRUE(happens(
       "three leases are over",
       [&](const deploy::Seen&) { return std::chrono::steady_clock::now() - began > three_leases; },
       std::chrono::duration_cast<std::chrono::milliseconds>(2.0 * three_leases)));
-  EXPECT_TRUE(comes("nobody was lost", "log world lacks \"robot lost\"", 1s));
+  EXPECT_TRUE(happens("nobody was lost", "log world lacks \"robot lost\"", 1s));
 }
 
 TEST_F(Started, FifteenAgentsMayComeAtOnce) {
