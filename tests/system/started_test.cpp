@@ -55,8 +55,8 @@ TEST_F(Started, RobotsThatWaitForAnotherAreNotLost) {
   ASSERT_TRUE(does("start radio"));
   ASSERT_TRUE(does("start robot 1-3"));
   ASSERT_TRUE(happens("one is missing",
-                    "missing lacks \"robot 1\" and missing lacks \"robot 2\" and "
-                    "missing lacks \"robot 3\" and missing has \"robot 4\""));
+                      "missing lacks \"robot 1\" and missing lacks \"robot 2\" and "
+                      "missing lacks \"robot 3\" and missing has \"robot 4\""));
   const auto began = std::chrono::steady_clock::now();
   ASSERT_TRUE(happens(
       "three leases are over",
