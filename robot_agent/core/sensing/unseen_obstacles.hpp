@@ -13,9 +13,9 @@ namespace caravan::agent {
 /// vanishes, remembered for the whole run, and put beside the echoes for everything that drives and plans.
 ///
 /// What is touched is no such obstacle when a robot is there, when one is heard that does not tell where it
-/// is, or when the sonars saw a surface there not long ago. Where they see something from close by, sooner or
-/// later, is none either: the corner of something high. A robot that gets nowhere for config.touch_patience
-/// forgets what it touched around it: places that are wrong cannot hold it for longer.
+/// is, or when the sonars saw something there from close by: the corner of something high. Where they do so
+/// later, the place is forgotten. A robot that gets nowhere for config.touch_patience forgets what it touched
+/// around it: places that are wrong cannot hold it for longer.
 class UnseenObstacles {
  public:
   explicit UnseenObstacles(const Config& config) : patience_{config.touch_patience} {}
