@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot_agent/core/sensing/surface_map.hpp"
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace caravan::agent {
 namespace {
 
 constexpr double kSide_m = 0.05;      // of a square; one place in each
-constexpr double kExact_m = 1.2;      // beyond this range an echo does not say well enough where it is from
 constexpr double kClose_m = 0.4;      // what is 0.13 m high, or less, vanishes before
 constexpr double kHigh_m = 0.4;       // around what was seen from close by
 constexpr double kReach_m = 0.8;      // of keep_clear()
-constexpr double kRobot_m = 0.5;      // around the axle of one
 constexpr std::size_t kMost = 20000;  // places; the walls of a large hall have fewer
 
 double square_of(double along_m) { return std::floor(along_m / kSide_m); }
@@ -36,17 +32,7 @@ void SurfaceMap::visit_within(const Point& p_W, double radius_m, const Visit& vi
   }
 }
 
-void SurfaceMap::see(const Perception& seen) {
-  for (const Neighbour& robot : seen.robots) forget_around(robot.p_WB, kRobot_m);
-  // A robot that does not tell where it is looks like any other thing.
-  if (seen.robot_near && seen.robots.empty()) return;
-  const Point ahead = direction(seen.yaw_WB_rad);
-  const Point left{-ahead.y(), ahead.x()};
-  for (const Echo& echo : seen.still.echoes()) {
-    if (echo.range_m > kExact_m) continue;
-    remember(seen.p_WB + echo.p_B.x() * ahead + echo.p_B.y() * left, seen.now, echo.range_m < kClose_m);
-  }
-}
+void SurfaceMap::see(const Point& at_W, double range_m, Time now) { remember(at_W, now, range_m < kClose_m); }
 
 void SurfaceMap::touch(const Point& at_W, Time now) { remember(at_W, now, false); }
 

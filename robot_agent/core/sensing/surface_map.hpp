@@ -3,8 +3,9 @@
 
 #include <map>
 #include <utility>
+#include <vector>
 
-#include "robot_agent/core/sensing/perception.hpp"
+#include "robot_agent/core/types.hpp"
 
 namespace caravan::agent {
 
@@ -16,9 +17,8 @@ namespace caravan::agent {
 /// lower part of the cone, and none from close by.
 class SurfaceMap {
  public:
-  /// Takes in what the sonars see now. What lies where a robot has told to be is forgotten: it was that
-  /// robot.
-  void see(const Perception& seen);
+  /// A sonar saw something here that is no robot. @param range_m  from the sonar
+  void see(const Point& at_W, double range_m, Time now);
   /// The robot touched something here.
   void touch(const Point& at_W, Time now);
   /// True when something was seen from close by, ever, within 0.4 m of this place: it is high.

@@ -45,10 +45,6 @@ Surfaces::Surfaces(const Config& config)
 
 void Surfaces::see(const Perception& seen) {
   forget(seen);
-  if (has_map_) {
-    if (patience_.is_lost(seen)) map_.forget_around(seen.p_WB, Patience::kForgets_m);
-    map_.see(seen);
-  }
   goes_on_.clear();
   // A robot that does not tell where it is looks like any other thing.
   if (seen.robot_near && seen.robots.empty()) return;
@@ -57,6 +53,7 @@ void Surfaces::see(const Perception& seen) {
     if (echo.range_m > kExact_m) continue;
     const Point at = seen.p_WB + turned(echo.p_B, ahead);
     remember({at, seen.now});
+    if (has_map_) map_.see(at, echo.range_m, seen.now);
     follow(echo.sonar, turned(echo.across_B, ahead), at, seen.now);
   }
 }
@@ -67,6 +64,9 @@ void Surfaces::forget(const Perception& seen) {
     return std::ranges::any_of(
         seen.robots, [&](const Neighbour& robot) { return within(place.at, robot.p_WB, kRobot_m); });
   });
+  if (!has_map_) return;
+  if (patience_.is_lost(seen)) map_.forget_around(seen.p_WB, Patience::kForgets_m);
+  for (const Neighbour& robot : seen.robots) map_.forget_around(robot.p_WB, kRobot_m);
 }
 
 void Surfaces::remember(const Place& place) {
