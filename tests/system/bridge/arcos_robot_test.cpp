@@ -14,6 +14,7 @@
 #include "hardware_bridge/core/arcos/sip.hpp"
 #include "hardware_bridge/core/nmea/sentence.hpp"
 #include "hardware_bridge/core/pose/arena_projection.hpp"
+#include "tests/system/bridge/support/arcos_host.hpp"
 #include "tests/system/bridge/support/field.hpp"
 #include "tests/system/bridge/support/socket.hpp"
 
@@ -36,67 +37,6 @@ Bytes from_hex(const std::string& text) {
   for (unsigned byte = 0; in >> std::hex >> byte;) bytes.push_back(static_cast<std::uint8_t>(byte));
   return bytes;
 }
-
-/// A host on TCP: says what it is told, collects what comes.
-class Host {
- public:
-  explicit Host(std::uint16_t port) : socket_{Socket::to(port)} {}
-  [[nodiscard]] bool is_connected() const { return socket_.has_value(); }
-  void say(const Bytes& packet) {
-    if (socket_ && !socket_->write(packet)) socket_.reset();
-  }
-  void listen(std::chrono::milliseconds patience) {
-    if (!socket_) return;
-    const auto bytes = socket_->read(patience);
-    if (!bytes) return socket_.reset();
-    for (Bytes& data : packets_.feed(*bytes)) heard_.push_back(std::move(data));
-  }
-  /// The next packet within the tests' patience.
-  [[nodiscard]] std::optional<Bytes> next() {
-    (void)eventually(
-        [&] {
-          if (heard_.empty()) listen(50ms);
-          return !heard_.empty() || !socket_;
-        },
-        kPatience);
-    if (heard_.empty()) return std::nullopt;
-    Bytes first = std::move(heard_.front());
-    heard_.erase(heard_.begin());
-    return first;
-  }
-  /// The next SIP for which `wanted(sip)` holds, saying `meanwhile` all the time.
-  template <typename Wanted>
-  [[nodiscard]] std::optional<Sip> sip(Wanted wanted, const Bytes& meanwhile = encode(Order::kPulse)) {
-    std::optional<Sip> found;
-    (void)eventually(
-        [&] {
-          const auto data = next();
-          const auto sip = data ? bridge::arcos::decode_sip(*data) : std::nullopt;
-          if (sip && wanted(*sip)) found = sip;
-          say(meanwhile);
-          return found || !socket_;
-        },
-        kPatience);
-    return found;
-  }
-  void open() {
-    for (const Order order : {Order::kPulse, Order::kOpen, Order::kClose}) {
-      say(encode(order));
-      (void)next();
-    }
-    say(encode(Order::kOpen));
-    say(encode(Order::kEnable, 1));
-    say(encode(Order::kSonar, 1));
-    say(encode(Order::kSetAcceleration, 2000));
-    say(encode(Order::kSetAcceleration, -2000));
-  }
-  void hang_up() { socket_.reset(); }
-
- private:
-  std::optional<Socket> socket_;
-  bridge::arcos::PacketFinder packets_;
-  std::vector<Bytes> heard_;
-};
 
 class ArcosRobot : public Field {
  protected:
