@@ -77,7 +77,7 @@ TEST(UnseenObstacles, AreSeldomTouchedAndSeldomAgain) {
   }
   RecordProperty("again", again);
   RecordProperty("contacts", contacts);
-  EXPECT_LE(again, 50);
+  EXPECT_LE(again, 40);
   EXPECT_LE(contacts, 140);
 }
 
