@@ -113,22 +113,22 @@ constexpr std::array kVerbs{Verb{"pause", read_plain<kind::PAUSE>},
                             Verb{"radio", read_radio}};
 
 constexpr std::array kForms{
-    ControlForm{"pause", "no step begins until resume or step"},
-    ControlForm{"resume", "steps go on"},
-    ControlForm{"step [N]", "a paused world takes N steps (1) and is paused again"},
+    ControlForm{"pause", "no step starts until resume or step"},
+    ControlForm{"resume", "continues with the steps"},
+    ControlForm{"step [N]", "a paused world takes N steps (default 1) and is paused again"},
     ControlForm{"speed X", "X times real time; `speed max`: as fast as possible"},
-    ControlForm{"teleport ROBOT X Y [YAW]", "puts a robot somewhere else, at rest; metres, radians"},
+    ControlForm{"teleport ROBOT X Y [YAW]", "moves a robot to another place, at rest; metres, radians"},
     ControlForm{"hold ROBOT", "blocks a robot's wheels, whatever it commands"},
-    ControlForm{"release ROBOT", "ends hold"},
-    ControlForm{"spawn ROBOT X Y [YAW]", "puts a robot that was removed back into the world, at rest"},
+    ControlForm{"release ROBOT", "ends `hold`"},
+    ControlForm{"spawn ROBOT X Y [YAW]", "puts a removed robot back into the world, at rest"},
     ControlForm{"remove ROBOT", "takes a robot out of the world; its agent waits until it is spawned"},
     ControlForm{"radio cut ROBOTS [ROBOTS]",
-                "no frame crosses between these, or between the first and anybody"},
+                "no frame passes between the two sets; with one set, none between it and any robot"},
     ControlForm{"radio cut area X0 Y0 X1 Y1", "the same for links with an end in a rectangle"},
     ControlForm{"radio degrade LOSS ROBOTS [ROBOTS]",
                 "loses each frame with this probability; `area` as in cut"},
-    ControlForm{"radio heal ROBOTS [ROBOTS]", "as the scenario has it again; `area` as in cut"},
-    ControlForm{"radio clear", "heals everything"},
+    ControlForm{"radio heal ROBOTS [ROBOTS]", "restores the scenario's radio; `area` as in cut"},
+    ControlForm{"radio clear", "heals all links"},
 };
 
 }  // namespace

@@ -21,15 +21,15 @@ constexpr std::array kProcessVerbs{
 constexpr std::array kForms{
     ActionForm{"start WHO",
                "starts processes; WHO: world, radio, robot 3, robot 1,2, robot 1-4, robots or all"},
-    ActionForm{"kill WHO", "kill -9: no chance to say good-bye"},
-    ActionForm{"stop WHO", "SIGTERM, and waits for the end; a failure when that takes longer than 2 s"},
-    ActionForm{"suspend WHO", "SIGSTOP: lives, but does nothing"},
+    ActionForm{"kill WHO", "SIGKILL: ends at once, without an orderly shutdown"},
+    ActionForm{"stop WHO", "SIGTERM, then waits for the end; fails if that takes longer than 2 s"},
+    ActionForm{"suspend WHO", "SIGSTOP: alive, but does nothing"},
     ActionForm{"continue WHO", "SIGCONT"},
     ActionForm{"restart WHO", "kill, then start"},
-    ActionForm{"go", "lets a world begin that was told to hold_start"},
-    ActionForm{"hold_at STEP", "holds the world before this step, and waits until it is there"},
+    ActionForm{"go", "starts a world that waits because of hold_start"},
+    ActionForm{"hold_at STEP", "pauses the world before this step, and waits until it is there"},
     ActionForm{"step_until MOST CONDITION",
-               "lets a paused world take single steps until the condition holds, MOST at most"},
+               "single-steps a paused world until the condition holds, at most MOST steps"},
 };
 
 std::vector<std::string> read_names(Words& words, std::uint32_t robots) {
