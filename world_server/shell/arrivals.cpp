@@ -8,18 +8,8 @@
 
 namespace caravan::world {
 namespace msg = caravan_interfaces::msg;
-using runtime::Pacing;
 using runtime::Sender;
 using runtime::Tenure;
-
-bool WorldShell::is_current(std::uint64_t session, Time stamp) const {
-  if (session != session_ || phase_ == Phase::kFinished) return false;
-  return config_.experiment.pacing == Pacing::kFree ? stamp_ - stamp <= kDeadman : stamp == stamp_;
-}
-
-const idl::Topic& WorldShell::command_topic(std::uint32_t robot) const {
-  return config_.is_body(robot) ? idl::kBodyCommand : idl::kCommand;
-}
 
 void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample, const Sender& sender) {
   const std::lock_guard lock{mutex_};
@@ -28,7 +18,7 @@ void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample
     ++tallies_.stale_samples;
     return;
   }
-  Tenure& driver = drivers_[robot - 1];
+  Tenure& driver = drivers_[robot - 1].tenure;
   if (driver.claim(sender) != Tenure::Standing::kRefused) {
     take_command(robot, sample);
     progress();
@@ -40,7 +30,8 @@ void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample
 }
 
 void WorldShell::take_command(std::uint32_t robot, const msg::RobotCommand& sample) {
-  if (!is_current(sample.session(), idl::to_time(sample.stamp()))) {
+  const Time stamp = idl::to_time(sample.stamp());
+  if (!lockstep_.is_current(stamp)) {
     ++tallies_.stale_samples;
     barrier_.answer_late(robot);
     return;
@@ -56,13 +47,11 @@ void WorldShell::take_command(std::uint32_t robot, const msg::RobotCommand& samp
         "command clamped robot={}: beyond the wheel limit of {} m/s (further ones are counted in the status)",
         robot, config_.robots.wheel_limit_mps);
   }
-  if (sample.reported() && idl::to_time(sample.stamp()) == stamp_) reporting_.push_back(robot);
+  if (sample.reported() && stamp == lockstep_.stamp()) inputs_.reporting.push_back(robot);
   const Answer answer = barrier_.answer(robot);
-  if (answer != Answer::kNextStep || phase_ == Phase::kWaiting) {
-    commands_[robot - 1] = Command{safe.left_mps, safe.right_mps, sample.gripper_closed()};
-    commanded_at_[robot - 1] = stamp_;
-  }
-  if (answer == Answer::kRevives) publish_truth(false);
+  if (answer != Answer::kNextStep || lockstep_.phase() == Phase::kWaiting)
+    inputs_.command(robot, {safe.left_mps, safe.right_mps, sample.gripper_closed()}, lockstep_.stamp());
+  if (answer == Answer::kRevives) publish_truth();
 }
 
 void WorldShell::on_radio_step(const msg::RadioStep& sample, const Sender& sender) {
@@ -82,16 +71,16 @@ void WorldShell::on_radio_step(const msg::RadioStep& sample, const Sender& sende
 }
 
 void WorldShell::take_radio_step(const msg::RadioStep& sample) {
-  if (!is_current(sample.session(), idl::to_time(sample.stamp()))) {
+  if (!lockstep_.is_current(idl::to_time(sample.stamp()))) {
     ++tallies_.stale_samples;
     barrier_.answer_radio_late();
     return;
   }
   for (const std::uint32_t robot : sample.receivers()) {
-    if (robot >= 1 && robot <= radio_due_.size()) radio_due_[robot - 1] = true;
+    if (robot >= 1 && robot <= config_.robots.count) inputs_.radio_due[robot - 1] = true;
   }
-  radio_chain_ = sample.chain();
-  radio_controlled_ = radio_controlled_ || sample.controlled();
+  inputs_.radio_chain = sample.chain();
+  inputs_.radio_controlled = inputs_.radio_controlled || sample.controlled();
   barrier_.answer_radio();
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is asked of the running world, and its answers.
-#include "runtime/control/reply.hpp"
 #include "world_server/shell/world_shell.hpp"
 
 namespace caravan::world {
@@ -42,54 +41,42 @@ Action to_action(const msg::ControlRequest& request) {
 
 }  // namespace
 
-std::uint64_t WorldShell::next_step() const {
-  // Step 0 is as it is: its sensors are out from the start. An open step counts as taken once it has moved.
-  if (phase_ == Phase::kWaiting) return 1;
-  return world_.step() + (phase_ == Phase::kOpen ? 1 : 0);
-}
-
-bool WorldShell::is_disturbed() const {
-  return barrier_.disturbed() || control_.was_used() || radio_controlled_;
-}
-
 void WorldShell::on_control(const msg::ControlRequest& request) {
   if (is_for_the_radio(request)) return;
   const std::lock_guard lock{mutex_};
   if (request.session() != session_) {
-    reply({{request.requester(), request.id(), Outcome::Kind::kRefused, 0, "that session is over"}});
+    outputs_.replies(
+        {{request.requester(), request.id(), Outcome::Kind::kRefused, 0, "that session is over"}});
     return;
   }
   const auto outcome =
-      control_.ask({request.requester(), request.id(), request.at_step(), to_action(request)}, next_step());
+      control_.ask({request.requester(), request.id(), request.at_step(), to_action(request)},
+                   lockstep_.first_not_begun(world_.step()));
   if (!outcome) return;
-  reply({*outcome});
+  outputs_.replies({*outcome});
   progress();
   loop_.notify();  // a deadline may have changed, and the status
 }
 
 void WorldShell::reach_boundary() {
   const bool was_paused = control_.is_paused();
-  reply(control_.reach(
+  outputs_.replies(control_.reach(
       world_.step(),
       {.teleport = [this](const Teleport& teleport) { return world_.place(teleport.robot, teleport.to); },
        .spawn = [this](const Spawn& spawn) { return this->spawn(spawn); },
        .remove = [this](const Remove& remove) { return this->remove(remove); }}));
-  if (control_.is_paused() == was_paused) return;
-  status_due_ = {};
-  loop_.notify();
+  if (control_.is_paused() != was_paused) status_changed();
 }
 
 std::string WorldShell::spawn(const Spawn& spawn) {
   std::string refusal = world_.spawn(spawn.robot, spawn.at);
   if (!refusal.empty()) return refusal;
-  runtime::Tenure& driver = drivers_[spawn.robot - 1];
-  const auto& agents = agents_[spawn.robot - 1];
+  auto& [driver, agents] = drivers_[spawn.robot - 1];
   // It is awaited in the step that begins now if its agent is known to live. So what an order for a step
   // leads to does not hang on how fast anybody is.
   if (!driver.holder() && !agents.empty()) (void)driver.claim(agents.front());
   barrier_.spawn(spawn.robot, driver.holder().has_value());
-  status_due_ = {};
-  loop_.notify();
+  status_changed();
   return "";
 }
 
@@ -97,19 +84,15 @@ std::string WorldShell::remove(const Remove& remove) {
   std::string refusal = world_.remove(remove.robot);
   if (!refusal.empty()) return refusal;
   barrier_.remove(remove.robot, std::chrono::steady_clock::now());
-  commands_[remove.robot - 1].reset();
-  radio_due_[remove.robot - 1] = false;
-  status_due_ = {};
-  loop_.notify();
+  inputs_.drop(remove.robot);
+  inputs_.radio_due[remove.robot - 1] = false;
+  status_changed();
   return "";
 }
 
-void WorldShell::reply(const std::vector<Outcome>& outcomes) {
-  for (const Outcome& outcome : outcomes) {
-    runtime::log_outcome(outcome);
-    msg::ControlReply reply = runtime::to_reply(outcome, session_);
-    if (!replies_.write(reply)) ++tallies_.refused_writes;
-  }
+void WorldShell::status_changed() {
+  status_due_ = {};
+  loop_.notify();
 }
 
 }  // namespace caravan::world

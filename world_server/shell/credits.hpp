@@ -5,12 +5,25 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "runtime/bus/tenure.hpp"
+#include "world_server/barrier/barrier.hpp"
 #include "world_server/types.hpp"
 
 namespace caravan::world {
+
+/// The observer that keeps the world from its next step, and since when.
+struct HeldBack {
+  std::optional<std::string> by;
+  Wall since{};
+
+  void update(std::optional<std::string> observer, Wall now) {
+    if (observer && !by) since = now;
+    by = std::move(observer);
+  }
+};
 
 /// The observers that must lose nothing, and how far each has come.
 class Credits {

@@ -27,27 +27,35 @@ std::uint64_t sum(const std::vector<std::uint64_t>& counts) {
   return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
+std::vector<std::uint32_t> removed(const World& world, std::uint32_t robots) {
+  std::vector<std::uint32_t> ids;
+  for (std::uint32_t robot = 1; robot <= robots; ++robot) {
+    if (!world.is_present(robot)) ids.push_back(robot);
+  }
+  return ids;
+}
+
 double seconds(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
 
 }  // namespace
 
 void WorldShell::name_the_late(Wall now) {
   const std::vector<std::uint32_t> hung = barrier_.hung(now);
-  if (hung != named_hung_ && !hung.empty()) {
-    spdlog::warn("hung stamp_s={:.3f}: alive but not answering: {}", seconds(stamp_),
+  if (hung != logged_.hung && !hung.empty()) {
+    spdlog::warn("hung stamp_s={:.3f}: alive but not answering: {}", seconds(lockstep_.stamp()),
                  fmt::join(to_text(hung), ", "));
   }
-  named_hung_ = hung;
-  const bool held =
-      phase_ == Phase::kClosed && !control_.is_paused() && held_by_ && now - held_since_ >= kHeldLong;
-  if (held && !named_hold_) {
-    spdlog::warn("held back stamp_s={:.3f}: observer {} lives but handles no more steps", seconds(stamp_),
-                 *held_by_);
+  logged_.hung = hung;
+  const bool held = lockstep_.phase() == Phase::kClosed && !control_.is_paused() && hold_.by &&
+                    now - hold_.since >= kHeldLong;
+  if (held && !logged_.hold) {
+    spdlog::warn("held back stamp_s={:.3f}: observer {} lives but handles no more steps",
+                 seconds(lockstep_.stamp()), *hold_.by);
   }
-  named_hold_ = held;
-  if (held && !credits_.is_awaited(*held_by_) && now - held_since_ >= kHeldTooLong) {
-    spdlog::warn("observer {} is not waited for any longer: it may miss steps", *held_by_);
-    credits_.let_go(*held_by_);
+  logged_.hold = held;
+  if (held && !credits_.is_awaited(*hold_.by) && now - hold_.since >= kHeldTooLong) {
+    spdlog::warn("observer {} is not waited for any longer: it may miss steps", *hold_.by);
+    credits_.let_go(*hold_.by);
   }
 }
 
@@ -55,22 +63,23 @@ void WorldShell::publish_status(Wall now) {
   status_due_ = now + kStatusPeriod;
   const double since = seconds(now - tallies_.last_status);
   const std::uint64_t steps = world_.step();
+  const Phase phase = lockstep_.phase();
   msg::WorldStatus status;
-  status.stamp(idl::to_wire(stamp_));
+  status.stamp(idl::to_wire(lockstep_.stamp()));
   status.session(session_);
-  status.state(phase_ == Phase::kWaiting    ? msg::WorldStatus_Constants::WAITING
-               : phase_ == Phase::kFinished ? msg::WorldStatus_Constants::FINISHED
-                                            : msg::WorldStatus_Constants::RUNNING);
+  status.state(phase == Phase::kWaiting    ? msg::WorldStatus_Constants::WAITING
+               : phase == Phase::kFinished ? msg::WorldStatus_Constants::FINISHED
+                                           : msg::WorldStatus_Constants::RUNNING);
   status.missing(missing());
-  status.hung(to_text(named_hung_));
+  status.hung(to_text(logged_.hung));
   status.gone(to_text(barrier_.gone()));
-  status.removed(to_text(removed()));
+  status.removed(to_text(removed(world_, config_.robots.count)));
   status.members(static_cast<std::uint32_t>(barrier_.members().size()));
   status.steps_per_s(since > 0.0 ? static_cast<double>(steps - tallies_.steps_at_status) / since : 0.0);
   status.items_delivered(world_.items_delivered());
-  status.completed(phase_ == Phase::kFinished && config_.experiment.items > 0 &&
+  status.completed(phase == Phase::kFinished && config_.experiment.items > 0 &&
                    world_.items_delivered() >= config_.experiment.items);
-  status.disturbed(is_disturbed());
+  status.disturbed(barrier_.disturbed() || control_.was_used() || inputs_.radio_controlled);
   status.paused(control_.is_paused());
   status.digest(digest_);
   status.steps(steps);
@@ -79,16 +88,16 @@ void WorldShell::publish_status(Wall now) {
   status.stale_samples(tallies_.stale_samples);
   for (const runtime::Stranger& one : bus_.strangers()) status.strangers().push_back(to_text(one));
   status.empty_closings(world_.empty_closings());
-  const Wall until = phase_ == Phase::kFinished ? tallies_.ended : now;
-  status.wall_s(phase_ == Phase::kWaiting ? 0.0 : seconds(until - tallies_.started));
+  const Wall until = phase == Phase::kFinished ? tallies_.ended : now;
+  status.wall_s(phase == Phase::kWaiting ? 0.0 : seconds(until - tallies_.started));
   status.physics_s(seconds(tallies_.physics));
   status.sensors_s(seconds(tallies_.sensors));
   tallies_.steps_at_status = steps;
   tallies_.last_status = now;
-  if (!statuses_.write(status)) ++tallies_.refused_writes;
-  if (tallies_.refused_writes > 0 && !told_refused_writes_) {
+  outputs_.status(status);
+  if (outputs_.refused() > 0 && !logged_.refused_writes) {
     spdlog::error("DDS refused a sample: an observer may have missed a step");
-    told_refused_writes_ = true;
+    logged_.refused_writes = true;
   }
 }
 

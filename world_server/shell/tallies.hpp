@@ -16,7 +16,6 @@ struct Tallies {
   std::vector<std::uint64_t> refused_commands;  // by robot, [0] is robot 1
   std::vector<std::uint64_t> clamped_commands;
   std::uint64_t stale_samples = 0;
-  std::uint64_t refused_writes = 0;      // samples that DDS did not take
   std::uint64_t physics_complaints = 0;  // steps in which the solver complained
   std::chrono::nanoseconds physics{0};
   std::chrono::nanoseconds sensors{0};

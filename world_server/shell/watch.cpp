@@ -8,7 +8,6 @@
 #include "world_server/shell/world_shell.hpp"
 
 namespace caravan::world {
-using runtime::Pacing;
 
 int WorldShell::run() {
   const Wall began = std::chrono::steady_clock::now();
@@ -20,12 +19,12 @@ int WorldShell::run() {
       const std::lock_guard lock{mutex_};
       const Wall now = std::chrono::steady_clock::now();
       watch(now);
-      if (phase_ == Phase::kFailed) {
-        spdlog::error("t={:.3f} s: {}: the run ends here", std::chrono::duration<double>(stamp_).count(),
-                      failure_);
+      if (lockstep_.phase() == Phase::kFailed) {
+        spdlog::error("t={:.3f} s: {}: the run ends here",
+                      std::chrono::duration<double>(lockstep_.stamp()).count(), failure_);
         return runtime::kFailed;
       }
-      if (phase_ == Phase::kWaiting && now - began > patience) {
+      if (lockstep_.phase() == Phase::kWaiting && now - began > patience) {
         spdlog::error("nobody to start with after {} s: {} missing", config_.experiment.start_timeout_s,
                       fmt::join(missing(), ", "));
         return runtime::kCouldNotStart;
@@ -42,9 +41,9 @@ int WorldShell::run() {
 
 void WorldShell::watch(Wall now) {
   progress();
-  if (config_.experiment.pacing == Pacing::kFree && phase_ == Phase::kOpen && now >= due_) free_step();
+  if (follows_clock_ && lockstep_.phase() == Phase::kOpen && now >= pace_.due()) free_step();
   if (barrier_.let_go(now)) {
-    publish_truth(false);
+    publish_truth();
     progress();
   }
   if (now >= status_due_) {
@@ -55,12 +54,10 @@ void WorldShell::watch(Wall now) {
 }
 
 void WorldShell::free_step() {
-  for (std::size_t i = 0; i < commands_.size(); ++i) {
-    if (commands_[i] && stamp_ - commanded_at_[i] > kDeadman) commands_[i].reset();
-  }
+  inputs_.drop_older(lockstep_.stamp(), kDeadman);
   advance();
-  if (phase_ == Phase::kFailed) return;
-  phase_ = Phase::kClosed;
+  if (lockstep_.is_over()) return;
+  lockstep_.close();
   if (world_.finished()) return finish();
   reach_boundary();
   if (!control_.is_paused()) open_step();
@@ -68,23 +65,15 @@ void WorldShell::free_step() {
 
 Wall WorldShell::next_deadline(Wall now) const {
   const bool paced =
-      control_.speed() != 0.0 && !held_by_ && !control_.is_paused() &&
-      (phase_ == Phase::kClosed || (phase_ == Phase::kOpen && config_.experiment.pacing == Pacing::kFree));
-  return paced ? std::min(status_due_, std::max(due_, now)) : status_due_;
+      control_.speed() != 0.0 && !hold_.by && !control_.is_paused() &&
+      (lockstep_.phase() == Phase::kClosed || (lockstep_.phase() == Phase::kOpen && follows_clock_));
+  return paced ? std::min(status_due_, std::max(pace_.due(), now)) : status_due_;
 }
 
 std::vector<std::string> WorldShell::missing() const {
   std::vector<std::string> names = credits_.missing();
   for (const std::uint32_t robot : barrier_.missing()) names.push_back("robot " + std::to_string(robot));
   return names;
-}
-
-std::vector<std::uint32_t> WorldShell::removed() const {
-  std::vector<std::uint32_t> robots;
-  for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
-    if (!world_.is_present(robot)) robots.push_back(robot);
-  }
-  return robots;
 }
 
 }  // namespace caravan::world

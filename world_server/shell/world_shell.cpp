@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "runtime/pure/hash_chain.hpp"
-
 namespace caravan::world {
 namespace msg = caravan_interfaces::msg;
 using runtime::Discovery;
@@ -40,6 +38,7 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
                        const std::vector<std::string>& awaited, std::unique_ptr<runtime::TraceFile> trace,
                        runtime::Loop& loop)
     : config_{config},
+      follows_clock_{config.experiment.pacing == runtime::Pacing::kFree},
       loop_{loop},
       lease_s_{bus.lease_s},
       session_{new_session()},
@@ -47,27 +46,19 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
       trace_{std::move(trace)},
       world_{config},
       barrier_{barrier_config(config)},
+      lockstep_{follows_clock_},
+      inputs_{config.robots.count},
+      pace_{period_},
       control_{control_config(config)},
       credits_{awaited},
-      tallies_{config.robots.count},
-      commands_(config.robots.count),
-      commanded_at_(config.robots.count),
       drivers_(config.robots.count),
-      agents_(config.robots.count),
-      radio_due_(config.robots.count, false),
-      radio_chain_{pure::HashChain{}.value()},
-      bus_{bus, [this](const Discovery& news) {
+      tallies_{config.robots.count},
+      bus_{bus,
+           [this](const Discovery& news) {
              if (news.kind != Discovery::Kind::kJoined && news.kind != Discovery::Kind::kReaderFound)
                mailbox_.post(news);
-           }} {
-  for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
-    const idl::Topic& topic = config_.is_body(robot) ? idl::kBodySensors : idl::kSensors;
-    sensors_.push_back(bus_.writer<msg::SensorFramePubSubType>(topic, robot));
-  }
-  truths_ = bus_.writer<msg::WorldTruthPubSubType>(idl::kTruth);
-  clock_ = bus_.writer<rosgraph_msgs::msg::ClockPubSubType>(idl::kClock);
-  statuses_ = bus_.writer<msg::WorldStatusPubSubType>(idl::kWorldStatus);
-  replies_ = bus_.writer<msg::ControlReplyPubSubType>(idl::kControlReply);
+           }},
+      outputs_{config_, session_, period_, bus_} {
   publish_sensors();
   // Not under the lock: making a reader waits for DDS's own locks, whose holders may be waiting for ours in a
   // callback.

@@ -3,29 +3,19 @@
 
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "idl/clock_types.hpp"
-#include "idl/control_types.hpp"
-#include "idl/robot_types.hpp"
-#include "idl/world_types.hpp"
-#include "runtime/bus/bus.hpp"
-#include "runtime/bus/tenure.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/process/mailbox.hpp"
 #include "runtime/trace/trace_file.hpp"
-#include "world_server/barrier/barrier.hpp"
-#include "world_server/control/control.hpp"
+#include "world_server/barrier/lockstep.hpp"
+#include "world_server/barrier/pace.hpp"
+#include "world_server/barrier/step_inputs.hpp"
 #include "world_server/shell/credits.hpp"
-#include "world_server/shell/tallies.hpp"
-#include "world_server/world.hpp"
+#include "world_server/shell/outputs.hpp"
 
 namespace caravan::world {
-
-/// Free pacing: how long a command holds.
-inline constexpr Time kDeadman = std::chrono::milliseconds{600};
 
 /// The world on the bus: publishes what robots sense, moves the world when their commands are in, and holds
 /// the lockstep.
@@ -48,20 +38,27 @@ class WorldShell {
   int run();
 
  private:
-  enum class Phase : std::uint8_t { kWaiting, kOpen, kAdvanced, kClosed, kFinished, kFailed };
+  /// Of one robot: who commands it, and the agents that discovery has found, the first one first.
+  struct Driver {
+    runtime::Tenure tenure;
+    std::vector<runtime::Sender> agents;
+  };
+  /// What has been logged and is not logged again until it changes.
+  struct Logged {
+    std::vector<std::uint32_t> hung;
+    bool hold = false;
+    bool refused_writes = false;
+  };
 
-  // What arrives.
+  // arrivals.cpp, on the receiving thread. take_*: under the lock.
   void on_command(std::uint32_t robot, const caravan_interfaces::msg::RobotCommand& sample,
                   const runtime::Sender& sender);
   void take_command(std::uint32_t robot, const caravan_interfaces::msg::RobotCommand& sample);
-  void take_radio_step(const caravan_interfaces::msg::RadioStep& sample);
   void on_radio_step(const caravan_interfaces::msg::RadioStep& sample, const runtime::Sender& sender);
+  void take_radio_step(const caravan_interfaces::msg::RadioStep& sample);
   void on_credit(const caravan_interfaces::msg::RunCredit& sample, const runtime::Sender& sender);
-  void on_control(const caravan_interfaces::msg::ControlRequest& request);
-  [[nodiscard]] bool is_current(std::uint64_t session, Time stamp) const;
-  [[nodiscard]] const idl::Topic& command_topic(std::uint32_t robot) const;
 
-  // The step. All of these run under the lock.
+  // members.cpp, under the lock.
   void read_mailbox();
   void meet(const runtime::Discovery& writer);
   /// A participant has gone, or one of its writers: leaving is either.
@@ -71,32 +68,36 @@ class WorldShell {
   void forget_radio(const runtime::Discovery& gone);
   /// The next participant that has claimed the role holds it.
   void hand_over(runtime::Tenure& tenure);
-  void progress();
+  [[nodiscard]] const idl::Topic& command_topic(std::uint32_t robot) const;
+
+  // control.cpp. All but on_control() under the lock.
+  void on_control(const caravan_interfaces::msg::ControlRequest& request);
+  /// Between two steps: carries out the orders that are due.
   void reach_boundary();
   [[nodiscard]] std::string spawn(const Spawn& spawn);
   [[nodiscard]] std::string remove(const Remove& remove);
-  void reply(const std::vector<Outcome>& outcomes);
-  [[nodiscard]] std::uint64_t next_step() const;
-  [[nodiscard]] bool is_disturbed() const;
+  /// The main thread publishes the status at once.
+  void status_changed();
+
+  // step.cpp, under the lock.
+  void progress();
   [[nodiscard]] bool may_open(Wall now);
   void open_step();
-  void publish_sensors();
-  void publish_truth(bool last);
   void advance();
   void finish();
-  /// The physics cannot go on.
-  void fail(const std::string& reason);
+  void publish_sensors();
+  void publish_truth();
 
-  // The main thread.
+  // watch.cpp and status.cpp, on the main thread. All but run() under the lock.
   void watch(Wall now);
   void free_step();
-  void publish_status(Wall now);
-  void name_the_late(Wall now);
   [[nodiscard]] Wall next_deadline(Wall now) const;
   [[nodiscard]] std::vector<std::string> missing() const;
-  [[nodiscard]] std::vector<std::uint32_t> removed() const;
+  void name_the_late(Wall now);
+  void publish_status(Wall now);
 
-  WorldConfig config_;
+  const WorldConfig config_;
+  const bool follows_clock_;  // pacing `free`
   runtime::Loop& loop_;
   const double lease_s_;
   const std::uint64_t session_;
@@ -106,41 +107,24 @@ class WorldShell {
   std::mutex mutex_;
   World world_;
   Barrier barrier_;
+  Lockstep lockstep_;
+  StepInputs inputs_;
+  Pace pace_;
   Control control_;
   Credits credits_;
-  Tallies tallies_;
-  Phase phase_ = Phase::kWaiting;
-  Time stamp_{0};  // of the open step
-  std::vector<std::optional<Command>> commands_;
-  std::vector<Time> commanded_at_;
-  std::vector<std::uint32_t> reporting_;  // robots that have reported in the open step
-  std::vector<runtime::Tenure> drivers_;  // who commands each robot
+  HeldBack hold_;
+  std::vector<Driver> drivers_;  // [0] is robot 1
   runtime::Tenure radio_;
-  std::vector<std::vector<runtime::Sender>> agents_;  // that live, by robot: the first one found first
-  std::vector<bool> radio_due_;
-  std::uint64_t radio_chain_;
-  bool radio_controlled_ = false;
-  Wall due_{};           // of the next step, when paced
-  Wall notified_due_{};  // the main thread has been woken to wait for this
+  Tallies tallies_;
+  Logged logged_;
   Wall status_due_{};
+  Wall woken_for_{};  // the main thread has been woken to wait for this due step
   std::string digest_;
   std::string failure_;  // why the phase is kFailed
-  std::vector<std::uint32_t> named_hung_;
-  std::optional<std::string> held_by_;  // an observer that has not handled enough
-  Wall held_since_{};
-  bool named_hold_ = false;
-  bool told_refused_writes_ = false;
 
   runtime::Mailbox<runtime::Discovery> mailbox_{loop_};
-
-  caravan_interfaces::msg::SensorFrame frame_;
-  caravan_interfaces::msg::WorldTruth truth_;
   runtime::Bus bus_;  // after the state, so that no callback outlives it
-  std::vector<runtime::Writer<caravan_interfaces::msg::SensorFramePubSubType>> sensors_;
-  runtime::Writer<caravan_interfaces::msg::WorldTruthPubSubType> truths_;
-  runtime::Writer<rosgraph_msgs::msg::ClockPubSubType> clock_;
-  runtime::Writer<caravan_interfaces::msg::WorldStatusPubSubType> statuses_;
-  runtime::Writer<caravan_interfaces::msg::ControlReplyPubSubType> replies_;
+  Outputs outputs_;
 };
 
 }  // namespace caravan::world

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "world_server/barrier/barrier.hpp"
+#include "world_server/types.hpp"
+
+namespace caravan::world {
+
+/// When the next step is due on the wall clock. A speed is simulated by real time; 0 is as fast as possible.
+class Pace {
+ public:
+  explicit Pace(Time period) : period_{period} {}
+
+  /// The first step is due now.
+  void start(Wall now) { due_ = now; }
+  /// A step opens, so the next one is due one period after it was due itself. A delay of more than 100 ms is
+  /// not made up for.
+  void open(Wall now, double speed) {
+    const auto period = std::chrono::duration_cast<Wall::duration>(std::chrono::duration<double, std::nano>(
+        static_cast<double>(period_.count()) / (speed == 0.0 ? 1.0 : speed)));
+    due_ = now - due_ > kLongDelay ? now + period : due_ + period;
+  }
+  [[nodiscard]] Wall due() const { return due_; }
+  [[nodiscard]] bool is_due(Wall now, double speed) const { return speed == 0.0 || now >= due_; }
+
+ private:
+  static constexpr std::chrono::milliseconds kLongDelay{100};
+  Time period_;
+  Wall due_{};
+};
+
+}  // namespace caravan::world
