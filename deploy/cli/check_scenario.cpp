@@ -33,7 +33,7 @@ experiment::RunFacts check_tables(const runtime::TomlDocument& scenario) {
   const std::chrono::duration<double> max_time{world_config.experiment.max_time_s};
   return {.scenario = name_of(scenario),
           .engine = {},
-          .mode = to_text(agent_config.sharing),
+          .mode = to_text(agent_config.sharing.mode),
           .seed = world_config.seed,
           .robots = world_config.robots.count,
           .items = world_config.experiment.items,

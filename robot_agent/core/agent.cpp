@@ -79,7 +79,7 @@ std::optional<Perception> Agent::Impl::perceive(const Inputs& inputs, bool robot
   if (robot_heard) robot_last_heard = inputs.now;
   if (!knows_where_it_is(inputs.sensors)) return std::nullopt;
   last_p_WB = inputs.sensors.p_WB;
-  const Time remembers = std::max(kRemembersRobot, config.wait_period + config.wait_period / 5);
+  const Time remembers = std::max(kRemembersRobot, config.wait.period + config.wait.period / 5);
   const bool near =
       config.robots_are_solid && robot_last_heard && inputs.now - *robot_last_heard <= remembers;
   std::vector<Neighbour> robots;
@@ -107,7 +107,7 @@ void Agent::Impl::note_touch(const Perception& seen, bool drove_forward, Notes& 
 
 Outputs Agent::Impl::step(const Inputs& inputs) {
   Notes notes;
-  const auto place = config.wait_tells_place ? whereabouts_of(inputs.sensors, driver.twist().linear_mps,
+  const auto place = config.wait.tells_place ? whereabouts_of(inputs.sensors, driver.twist().linear_mps,
                                                               driver.twist().angular_radps)
                                              : std::nullopt;
   AirOutputs air = communication.step({inputs.now, inputs.heard, own_path(), place});
@@ -118,7 +118,7 @@ Outputs Agent::Impl::step(const Inputs& inputs) {
   if (auto* carrier = std::get_if<Carrier>(&task); carrier != nullptr && seen) carrier->sense(*seen, notes);
 
   Motion motion;
-  if (air.stand_still && config.stop_to_exchange) {
+  if (air.stand_still && config.sharing.stop_to_exchange) {
     motion = driver.stand(Activity::kExchanging, inputs.now);
   } else if (!seen) {
     motion = driver.stand(Activity::kIdle, inputs.now);
@@ -149,7 +149,7 @@ Motion Agent::Impl::decide(const Perception& seen, Notes& notes) {
 
 void Agent::Impl::take(const Path& received, const Point& p_WB, Notes& notes) {
   auto* carrier = std::get_if<Carrier>(&task);
-  if (!wants_path(config.sharing, carrier == nullptr ? Mode::kExplore : Mode::kTransport)) return;
+  if (!wants_path(config.sharing.mode, carrier == nullptr ? Mode::kExplore : Mode::kTransport)) return;
   std::optional<Path> path = path_after_exchange(own_path(), received);
   if (!path) return;
   if (carrier == nullptr) {

@@ -17,11 +17,9 @@ struct Outline {
   double half_length;
   double half_width;
 
-  Outline(const Body& body, const Config& config)
-      : along{direction(body.yaw_WB_rad)},
-        half_length{0.5 * config.body_length_m},
-        half_width{0.5 * config.body_width_m} {
-    centre = body.p_WB + (config.body_ahead_m - half_length) * along;
+  Outline(const Pose& pose, const Body& body)
+      : along{direction(pose.yaw_WB_rad)}, half_length{0.5 * body.length_m}, half_width{0.5 * body.width_m} {
+    centre = pose.p_WB + (body.ahead_m - half_length) * along;
   }
   [[nodiscard]] Point across() const { return {-along.y(), along.x()}; }
   [[nodiscard]] double squared_distance(const Point& p_W) const {
@@ -39,22 +37,22 @@ struct Outline {
 
 }  // namespace
 
-double distance_m(const Body& one, const Body& other, const Config& config) {
+double distance_m(const Pose& one, const Pose& other, const Body& body) {
   // Of two rectangles apart, a corner of one is a nearest point.
-  const Outline a{one, config};
-  const Outline b{other, config};
+  const Outline a{one, body};
+  const Outline b{other, body};
   double nearest = std::numeric_limits<double>::infinity();
   for (const Point& corner : a.corners()) nearest = std::min(nearest, b.squared_distance(corner));
   for (const Point& corner : b.corners()) nearest = std::min(nearest, a.squared_distance(corner));
   return std::sqrt(nearest);
 }
 
-double distance_m(const Body& body, const Point& p_W, const Config& config) {
-  return std::sqrt(Outline{body, config}.squared_distance(p_W));
+double distance_m(const Pose& pose, const Point& p_W, const Body& body) {
+  return std::sqrt(Outline{pose, body}.squared_distance(p_W));
 }
 
-double signed_distance_m(const Body& body, const Point& p_W, const Config& config) {
-  const Outline outline{body, config};
+double signed_distance_m(const Pose& pose, const Point& p_W, const Body& body) {
+  const Outline outline{pose, body};
   const Point from = p_W - outline.centre;
   const double dx = std::abs(from.dot(outline.along)) - outline.half_length;
   const double dy = std::abs(from.dot(outline.across())) - outline.half_width;

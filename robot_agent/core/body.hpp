@@ -1,23 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robot_agent/core/config.hpp"
 #include "robot_agent/core/types.hpp"
+#include "runtime/pure/robot_model.hpp"
 
 namespace caravan::agent {
 
-/// A robot's body: a rectangle on the floor.
+/// A robot's outline on the floor, a rectangle, and its wheels.
 struct Body {
+  double length_m = robot_model::kBodyLength_m;
+  double ahead_m = robot_model::kBodyAhead_m;  ///< from the axle to the front
+  double width_m = robot_model::kBodyWidth_m;
+  double track_m = robot_model::kTrack_m;
+  double wheel_radius_m = robot_model::kWheelRadius_m;
+  double wheel_limit_mps = robot_model::kWheelLimit_mps;  ///< rim speed
+
+  bool operator==(const Body&) const = default;
+};
+
+/// Where a robot is: its base, on the axle, in frame W.
+struct Pose {
   Point p_WB{0.0, 0.0};
   double yaw_WB_rad = 0.0;
 };
 
-/// Distance between the outlines of two bodies, metres; 0 when they touch or overlap.
-[[nodiscard]] double distance_m(const Body& one, const Body& other, const Config& config);
+/// Distance between the outlines of two robots alike, metres; 0 when they touch or overlap.
+[[nodiscard]] double distance_m(const Pose& one, const Pose& other, const Body& body);
 
-/// Distance of a point from the body's outline; 0 inside.
-[[nodiscard]] double distance_m(const Body& body, const Point& p_W, const Config& config);
+/// Distance of a point from a robot's outline; 0 inside.
+[[nodiscard]] double distance_m(const Pose& pose, const Point& p_W, const Body& body);
 /// The same; inside the outline how deep, negative.
-[[nodiscard]] double signed_distance_m(const Body& body, const Point& p_W, const Config& config);
+[[nodiscard]] double signed_distance_m(const Pose& pose, const Point& p_W, const Body& body);
 
 }  // namespace caravan::agent

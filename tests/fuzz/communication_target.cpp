@@ -34,10 +34,11 @@ std::vector<ReceivedFrame> next_frames(std::span<const std::uint8_t>& bytes, Cha
 void communication(std::span<const std::uint8_t> bytes) {
   Config config;
   config.id = RobotId{5};
-  config.sharing_starts = Time{0};
+  config.sharing.starts = Time{0};
   Communication robot{config};
   const Path path{{0.0, 0.0}, {1.0, 0.5}, {2.0, 0.0}};
-  const Time bound = config.accept_period * config.accept_attempts + config.session_timer;
+  const Time bound =
+      config.sharing.accept_period * config.sharing.accept_attempts + config.sharing.session_timer;
   Time now{0};
   Time drove{0};
   Channel tuned;
@@ -51,7 +52,7 @@ void communication(std::span<const std::uint8_t> bytes) {
     if (!stands) drove = now;
     CARAVAN_ASSERT(now - drove <= bound + milliseconds{32});
     CARAVAN_ASSERT(!out.frames.empty());
-    for (const Frame& frame : out.frames) CARAVAN_ASSERT(frame.bytes.size() <= config.mtu_bytes);
+    for (const Frame& frame : out.frames) CARAVAN_ASSERT(frame.bytes.size() <= config.air.mtu_bytes);
     if (out.received) CARAVAN_ASSERT(out.received->size() >= 2);
   }
   CARAVAN_ASSERT(!stands);  // 3.2 s of silence end every attempt

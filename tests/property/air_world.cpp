@@ -34,7 +34,7 @@ Path path_of(std::uint16_t id, std::size_t points) {
 }
 
 AirWorld::AirWorld(std::uint64_t seed, const Config& config)
-    : now{config.sharing_starts}, config_{config}, random_{seed, 99} {}
+    : now{config.sharing.starts}, config_{config}, random_{seed, 99} {}
 
 void AirWorld::add(std::uint16_t id, Path path) {
   Config own = config_;
@@ -104,7 +104,8 @@ void AirWorld::check(std::uint16_t id, Robot& robot) {
   check_exchanges(id, robot);
   if (robot.still_since >= Time{0}) {
     const Time still = now - robot.still_since;
-    const Time bound = config_.accept_period * config_.accept_attempts + config_.session_timer;
+    const Time bound =
+        config_.sharing.accept_period * config_.sharing.accept_attempts + config_.sharing.session_timer;
     if (still > bound + kStep) breach(id, "stands still too long");
     robot.longest_still = std::max(robot.longest_still, still);
     robot.stood += kStep;
@@ -120,8 +121,9 @@ void AirWorld::check_frames(std::uint16_t id, Robot& robot) {
   for (const Frame& frame : robot.out.frames) {
     const auto message = message_in(frame);
     if (!message) return breach(id, "sends what nobody understands");
-    if (frame.bytes.size() > config_.mtu_bytes) breach(id, "exceeds the MTU with " + to_text(*message));
-    if (frame.channel.value >= config_.channel_count) breach(id, "sends on a channel that does not exist");
+    if (frame.bytes.size() > config_.air.mtu_bytes) breach(id, "exceeds the MTU with " + to_text(*message));
+    if (frame.channel.value >= config_.air.channel_count)
+      breach(id, "sends on a channel that does not exist");
     if (const auto* wait = std::get_if<Wait>(&*message)) {
       robot.presence = *wait;
       says_wait = true;
@@ -146,7 +148,7 @@ void AirWorld::check_frames(std::uint16_t id, Robot& robot) {
     if (robot.presence.engagement == Engagement::kInSession) partner = robot.presence.partner;
   }
   if (robot.out.tuned != kCommonChannel &&
-      (!partner || robot.out.tuned != private_channel(RobotId{id}, *partner, config_.channel_count))) {
+      (!partner || robot.out.tuned != private_channel(RobotId{id}, *partner, config_.air.channel_count))) {
     breach(id, "listens to a channel that is not its partner's");
   }
 }
@@ -157,7 +159,7 @@ void AirWorld::check_exchanges(std::uint16_t id, Robot& robot) {
     if (exchange.ended != now || exchange.began > now) breach(id, "ends an exchange at another time");
     for (const Exchange& earlier : robot.ended) {
       if (earlier.completed && earlier.partner == exchange.partner &&
-          exchange.began - earlier.ended < config_.recontact_after) {
+          exchange.began - earlier.ended < config_.sharing.recontact_after) {
         breach(id, "meets the same partner too soon");
       }
     }

@@ -64,7 +64,7 @@ TEST(ExchangeProperty, SeveralPairsOnOnePrivateChannelOnlySlowEachOtherDown) {  
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
     Config config;
-    config.channel_count = seed % 2 == 0 ? 3 : 2;
+    config.air.channel_count = seed % 2 == 0 ? 3 : 2;
     AirWorld world{seed, config};
     world.weather.loss = seed % 4 < 2 ? 0.0 : 0.2;
     for (std::uint16_t id = 1; id <= 8; ++id) world.add(id, path_of(id, 60));
@@ -80,7 +80,7 @@ TEST(ExchangeProperty, TheSmallestMtuIsEnough) {  // P-13
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
     Config config;
-    config.mtu_bytes = 32;
+    config.air.mtu_bytes = 32;
     AirWorld world{seed, config};
     world.weather.loss = seed % 2 == 0 ? 0.0 : 0.2;
     world.add(3, path_of(3, 50));

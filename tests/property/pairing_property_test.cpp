@@ -17,11 +17,11 @@ std::uint16_t below(pure::Random& random, int limit) {
 
 Config busy_config(pure::Random& random) {
   Config config;
-  config.sharing = random.chance(0.7) ? Sharing::kFull : Sharing::kPartial;
-  config.recontact_after = 3s;
-  config.channel_count = random.chance(0.3) ? 3 : 1U << 20U;
-  config.mtu_bytes = random.chance(0.3) ? 32 : 250;
-  config.wait_period = random.chance(0.2) ? 1s : 0s;
+  config.sharing.mode = random.chance(0.7) ? Sharing::kFull : Sharing::kPartial;
+  config.sharing.recontact_after = 3s;
+  config.air.channel_count = random.chance(0.3) ? 3 : 1U << 20U;
+  config.air.mtu_bytes = random.chance(0.3) ? 32 : 250;
+  config.wait.period = random.chance(0.2) ? 1s : 0s;
   return config;
 }
 
@@ -69,7 +69,7 @@ TEST(PairingProperty, PartnersAgreeSoonAfterTheAirBecomesQuiet) {  // P-7
     SCOPED_TRACE(seed);
     pure::Random random{seed};
     Config config = busy_config(random);
-    config.wait_period = 0s;
+    config.wait.period = 0s;
     AirWorld world{seed, config};
     world.weather = bad_weather(random);
     for (std::uint16_t id = 1; id <= 5; ++id) world.add(id, path_of(id, id == 1 ? 0 : 10U * id));
@@ -91,8 +91,8 @@ TEST(PairingProperty, InQuietAirAllMeetAllAndThenDriveOn) {  // P-8
     SCOPED_TRACE(seed);
     pure::Random random{seed};
     Config config = busy_config(random);
-    config.sharing = Sharing::kFull;
-    config.recontact_after = 10min;
+    config.sharing.mode = Sharing::kFull;
+    config.sharing.recontact_after = 10min;
     AirWorld world{seed, config};
     world.weather = bad_weather(random);
     for (std::uint16_t id = 1; id <= 6; ++id) world.add(id, path_of(id, 5U * id));

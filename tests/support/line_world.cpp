@@ -51,7 +51,7 @@ int LineWorld::count(std::size_t robot, const std::string& event) const {
 
 agent::Sensors LineWorld::sense(std::size_t robot) const {
   const Body& self = bodies_[robot];
-  const double reach = config_.sonar_range_m + 1.0;
+  const double reach = config_.sonars.range_m + 1.0;
   std::vector<Wall> walls;
   for (const Wall& wall : walls_) {
     if (distance_to(wall, self.p_WB) < reach) walls.push_back(wall);
@@ -62,7 +62,7 @@ agent::Sensors LineWorld::sense(std::size_t robot) const {
     walls.insert(walls.end(), sides.begin(), sides.end());
   }
   agent::Sensors sensors;
-  sensors.sonar_range_m = sonar_ranges_m(walls, self.p_WB, self.yaw_WB_rad, config_.sonar_range_m);
+  sensors.sonar_range_m = sonar_ranges_m(walls, self.p_WB, self.yaw_WB_rad, config_.sonars.range_m);
   sensors.p_WB = self.p_WB;
   sensors.yaw_WB_rad = self.yaw_WB_rad;
   sensors.holding = self.holding;
@@ -87,7 +87,7 @@ void LineWorld::move(std::size_t robot, const agent::Wheels& wheels) {
   Body& body = bodies_[robot];
   const double speed = 0.5 * (wheels.left_mps + wheels.right_mps);
   body.yaw_WB_rad =
-      agent::wrapped(body.yaw_WB_rad + kStep_s * (wheels.right_mps - wheels.left_mps) / config_.track_m);
+      agent::wrapped(body.yaw_WB_rad + kStep_s * (wheels.right_mps - wheels.left_mps) / config_.body.track_m);
   const Point there = body.p_WB + kStep_s * speed * direction(body.yaw_WB_rad);
   if (is_free(robot, there)) {
     body.p_WB = there;
@@ -98,12 +98,13 @@ void LineWorld::move(std::size_t robot, const agent::Wheels& wheels) {
 
 void LineWorld::grip(std::size_t robot, bool closed) {
   Body& body = bodies_[robot];
-  if (closed && !closed_[robot] && (body.p_WB - config_.source).norm() <= config_.service_radius_m) {
+  if (closed && !closed_[robot] &&
+      (body.p_WB - config_.task.source).norm() <= config_.task.service_radius_m) {
     body.holding = true;
   }
   if (!closed && closed_[robot] && body.holding) {
     body.holding = false;
-    if ((body.p_WB - config_.destination).norm() <= config_.service_radius_m) ++delivered_[robot];
+    if ((body.p_WB - config_.task.destination).norm() <= config_.task.service_radius_m) ++delivered_[robot];
   }
   closed_[robot] = closed;
 }
@@ -148,11 +149,11 @@ void LineWorld::step() {
 void LineWorld::count_contacts() {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const agent::Body one{bodies_[i].p_WB, bodies_[i].yaw_WB_rad};
-      const agent::Body other{bodies_[j].p_WB, bodies_[j].yaw_WB_rad};
+      const agent::Pose one{bodies_[i].p_WB, bodies_[i].yaw_WB_rad};
+      const agent::Pose other{bodies_[j].p_WB, bodies_[j].yaw_WB_rad};
       const bool near = (one.p_WB - other.p_WB).squaredNorm() < 1.0;
       const bool touch =
-          near && bodies_[i].alive && bodies_[j].alive && agent::distance_m(one, other, config_) <= 0.0;
+          near && bodies_[i].alive && bodies_[j].alive && agent::distance_m(one, other, config_.body) <= 0.0;
       if (!touch) {
         touching_.erase({i, j});
       } else if (touching_.insert({i, j}).second) {

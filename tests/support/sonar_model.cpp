@@ -81,7 +81,7 @@ std::array<double, agent::kSonarCount> sonar_ranges_m(std::span<const Wall> wall
 agent::Perception look(std::span<const Wall> walls, const Point& p_WB, double yaw_WB_rad,
                        const agent::Config& config) {
   agent::Sensors sensors;
-  sensors.sonar_range_m = sonar_ranges_m(walls, p_WB, yaw_WB_rad, config.sonar_range_m);
+  sensors.sonar_range_m = sonar_ranges_m(walls, p_WB, yaw_WB_rad, config.sonars.range_m);
   sensors.p_WB = p_WB;
   sensors.yaw_WB_rad = yaw_WB_rad;
   return agent::perceive(agent::Time{0}, sensors, false, {}, config);

@@ -23,7 +23,7 @@ constexpr double kPi = std::numbers::pi;
 struct Robot {
   Driver driver;
   Neighbours neighbours;
-  Body body;
+  Pose body;
   Twist twist;
   Point goal;
 };
@@ -42,7 +42,7 @@ class Floor {
     now_ += std::chrono::milliseconds{32};
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        nearest_m_ = std::min(nearest_m_, distance_m(robots_[i].body, robots_[j].body, config_));
+        nearest_m_ = std::min(nearest_m_, distance_m(robots_[i].body, robots_[j].body, config_.body));
       }
     }
   }
@@ -70,10 +70,10 @@ class Floor {
     bool near = false;
     for (std::size_t j = 0; j < before.size(); ++j) {
       if (j == i) continue;
-      const Body& other = before[j].body;
+      const Pose& other = before[j].body;
       const Point centre =
-          other.p_WB + (config_.body_ahead_m - 0.5 * config_.body_length_m) * direction(other.yaw_WB_rad);
-      const auto sides = rectangle(centre, config_.body_length_m, config_.body_width_m, other.yaw_WB_rad);
+          other.p_WB + (config_.body.ahead_m - 0.5 * config_.body.length_m) * direction(other.yaw_WB_rad);
+      const auto sides = rectangle(centre, config_.body.length_m, config_.body.width_m, other.yaw_WB_rad);
       walls.insert(walls.end(), sides.begin(), sides.end());
       if ((other.p_WB - robot.body.p_WB).norm() <= kRadioRange_m) near = true;
     }

@@ -31,9 +31,9 @@ class Pair {
     for (std::size_t i = 0; i < 2; ++i) {
       agent::Config config;
       config.id = agent::RobotId{static_cast<std::uint16_t>(i + 1)};
-      config.sharing_starts = Time{0};
-      config.mtu_bytes = radio.limits.mtu_bytes;
-      config.channel_count = radio.limits.channel_count;
+      config.sharing.starts = Time{0};
+      config.air.mtu_bytes = radio.limits.mtu_bytes;
+      config.air.channel_count = radio.limits.channel_count;
       robots_[i].emplace(config);
       due_[i] = Time{static_cast<Time::rep>(random.unit() * 1e8)};
     }

@@ -13,10 +13,10 @@ using agent::Sharing;
 /// A street of 24 m by 5 m with the source at one end and the destination at the other.
 Config street() {
   Config config;
-  config.source = {-10.0, 0.0};
-  config.destination = {10.0, 0.0};
-  config.sharing = Sharing::kNone;
-  config.detection_radius_m = 30.0;
+  config.task.source = {-10.0, 0.0};
+  config.task.destination = {10.0, 0.0};
+  config.sharing.mode = Sharing::kNone;
+  config.exploration.detection_radius_m = 30.0;
   return config;
 }
 
@@ -42,7 +42,7 @@ TEST(Traffic, FifteenRobotsOnOnePathInBothDirectionsAllDeliver) {
 
 TEST(Traffic, RobotsThatDoNotTellWhereTheyAreKeepThePapersRuleAndTouchMoreOften) {
   Config config = street();
-  config.wait_tells_place = false;
+  config.wait.tells_place = false;
   LineWorld world = street_with_robots(config, 15);
   world.run_for(300.0);
   EXPECT_GT(world.contacts(), 20);
@@ -77,11 +77,11 @@ TEST(Traffic, DeadRobotsOnThePathAreObstaclesAndAreDrivenRound) {
 
 TEST(Traffic, AFullExchangingSwarmGetsOnePathAndDelivers) {
   Config config;
-  config.source = {-9.0, -9.0};
-  config.destination = {9.0, 9.0};
-  config.sharing = Sharing::kFull;
-  config.sharing_starts = std::chrono::minutes{2};
-  config.recontact_after = std::chrono::minutes{2};
+  config.task.source = {-9.0, -9.0};
+  config.task.destination = {9.0, 9.0};
+  config.sharing.mode = Sharing::kFull;
+  config.sharing.starts = std::chrono::minutes{2};
+  config.sharing.recontact_after = std::chrono::minutes{2};
   LineWorld world{config};
   world.add_walls(rectangle({0, 0}, 22, 22));
   world.add_walls(rectangle({0, 0}, 8, 8, 0.785));

@@ -134,15 +134,17 @@ Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& 
   const double bearing = seen.bearing_to(goal_W);
   const auto [ahead, closing] = view_.update(seen, free_ahead_m(seen.around, config_));
   const bool facing = std::abs(bearing) < kFacing_rad;
-  const bool in_the_way = ahead < config_.too_close_m || (ahead < config_.meeting_m && closing > kComes_mps);
+  const bool in_the_way =
+      ahead < config_.driving.too_close_m || (ahead < config_.meeting.echo_m && closing > kComes_mps);
   const bool somebody = seen.robot_near && seen.robots.empty();  // who has not told where it is
-  const auto meeting = facing ? find_meeting(bearing, config_.cruise_mps, seen, config_) : std::nullopt;
+  const auto meeting =
+      facing ? find_meeting(bearing, config_.driving.cruise_mps, seen, config_) : std::nullopt;
   if (meeting || (facing && somebody && in_the_way)) {
     meet(meeting, goal_W, seen, random);
     return {{}, Activity::kAvoiding, Obstruction::kRobot};
   }
   // Something beyond the goal is not in the way.
-  const double needed = std::min(config_.too_close_m, std::max(0.15, seen.distance_to(goal_W)));
+  const double needed = std::min(config_.driving.too_close_m, std::max(0.15, seen.distance_to(goal_W)));
   if (facing && free_ahead_m(seen.still, config_) < needed) {
     return {{}, Activity::kAvoiding, Obstruction::kObstacle};
   }

@@ -10,7 +10,7 @@ namespace caravan::agent {
 /// Algorithm 2, GenerateNewLocationToExplore(): a direction is drawn near the heading; while the sonars see
 /// something in the way to it, from a wider and wider range.
 ///
-/// @return the new location in W, config.exploration_step_m away. When no direction is free it is the freest
+/// @return the new location in W, config.exploration.step_m away. When no direction is free it is the freest
 /// of those tried.
 [[nodiscard]] Point new_location_to_explore(const Perception& seen, const Config& config,
                                             pure::Random& random);

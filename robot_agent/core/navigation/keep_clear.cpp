@@ -25,13 +25,13 @@ constexpr double kFromSurfaces_m = 0.04;
 constexpr double kTouches_m = 0.005;  // a robot that touches a wall may drive along it
 constexpr double kInside_m = 0.05;    // a surface deeper inside the body than this cannot be there
 
-using Trajectory = std::array<Body, kMoments>;
+using Trajectory = std::array<Pose, kMoments>;
 
 /// The poses of a body whose wheels are told to change its twist, then to stop.
-Trajectory predicted_trajectory(Body body, Twist now, const Twist& told) {
+Trajectory predicted_trajectory(Pose body, Twist now, const Twist& told) {
   Trajectory trajectory;
   double seconds = 0.0;
-  for (Body& there : trajectory) {
+  for (Pose& there : trajectory) {
     const Twist then = approaching(now, seconds < kLasts_s ? told : Twist{}, kMoment_s);
     const double turned = 0.5 * kMoment_s * (now.angular_radps + then.angular_radps);
     body.p_WB +=
@@ -50,10 +50,10 @@ struct Spacing {
   double bodies_m = 0.0;
 };
 
-Spacing spacing(const Body& one, const Body& other, double swept_m, const Config& config) {
+Spacing spacing(const Pose& one, const Pose& other, double swept_m, const Config& config) {
   const double axles = (one.p_WB - other.p_WB).norm();
   const double apart = axles - 2.0 * swept_m;  // of the circles in which the bodies turn
-  return {axles, apart > config.keep_clear_m ? apart : distance_m(one, other, config)};
+  return {axles, apart > config.keep_clear.robots_m ? apart : distance_m(one, other, config.body)};
 }
 
 /// The robots that matter, where they will be, and the surfaces near by.
@@ -63,14 +63,14 @@ class Scene {
       : self_{seen.p_WB, seen.yaw_WB_rad},
         now_{now},
         config_{config},
-        swept_m_{std::hypot(std::max(config.body_ahead_m, config.body_length_m - config.body_ahead_m),
-                            0.5 * config.body_width_m)} {
+        swept_m_{std::hypot(std::max(config.body.ahead_m, config.body.length_m - config.body.ahead_m),
+                            0.5 * config.body.width_m)} {
     for (const Neighbour& robot : seen.robots) {
       if (seen.distance_to(robot.p_WB) > kConcerns_m) continue;
-      const Body body{robot.p_WB, robot.yaw_WB_rad};
+      const Pose body{robot.p_WB, robot.yaw_WB_rad};
       const Twist moves{robot.speed_mps, robot.turn_radps};
       const Spacing spaced = spacing(self_, body, swept_m_, config_);
-      const double keeps = config_.keep_clear_m;
+      const double keeps = config_.keep_clear.robots_m;
       const double turns = 2.0 * swept_m_ + keeps;
       const Spacing wanted{std::min(turns, spaced.axles_m),
                            spaced.bodies_m < keeps ? kMayLose * spaced.bodies_m : keeps};
@@ -78,7 +78,7 @@ class Scene {
     }
     double nearest = kFromSurfaces_m;
     for (const Point& at : seen.surfaces) {
-      const double apart = signed_distance_m(self_, at, config_);
+      const double apart = signed_distance_m(self_, at, config_.body);
       if (apart <= -kInside_m) continue;
       nearest = std::min(nearest, apart);
       surfaces_.push_back({at, std::min(kFromSurfaces_m, apart > 0.0 ? kMayLose * apart : apart)});
@@ -115,7 +115,7 @@ class Scene {
     Spacing wanted;
     Trajectory trajectory;
   };
-  Body self_;
+  Pose self_;
   Twist now_;
   const Config& config_;
   double swept_m_;
@@ -124,11 +124,11 @@ class Scene {
 
   [[nodiscard]] double too_near_to_surfaces_m(const Trajectory& trajectory) const {
     double most = 0.0;
-    for (const Body& body : trajectory) {
+    for (const Pose& body : trajectory) {
       for (const Surface& surface : surfaces_) {
         const double reach = swept_m_ + surface.wanted_m;
         if ((surface.at - body.p_WB).squaredNorm() > reach * reach) continue;
-        const double violation = surface.wanted_m - signed_distance_m(body, surface.at, config_);
+        const double violation = surface.wanted_m - signed_distance_m(body, surface.at, config_.body);
         most = std::max(most, kBodiesMatter * violation);
       }
     }
@@ -144,7 +144,7 @@ struct Candidate {
 /// Other twists, the most alike first. Of two alike the one further to the left: that is the rule for
 /// meetings.
 std::vector<Candidate> candidates(const Twist& wanted, const Config& config) {
-  const double slow = config.slow_mps;
+  const double slow = config.driving.slow_mps;
   const std::array<double, 6> speeds = {wanted.linear_mps, 0.6 * wanted.linear_mps, slow, 0.5 * slow, 0.0,
                                         -0.5 * slow};
   const std::array<double, 8> turns = {wanted.angular_radps, 0.0, 0.7, -0.7, 1.4, -1.4, 2.5, -2.5};

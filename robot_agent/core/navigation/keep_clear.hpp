@@ -16,10 +16,10 @@ struct Allowed {
 ///
 /// A dynamic window (Fox, Burgard, Thrun 1997) over a small set of candidates. A twist is admissible when the
 /// robot could follow it for a moment, then brake, and would not have come too near to any robot that has
-/// told where it is and does the same. Too near is: less than config.keep_clear_m between the bodies; or the
-/// axles so close that one could not turn on the spot beside the other. Who is too near already shall not
-/// come nearer by more than a little. The same holds for the body and the places in seen.surfaces, where 4 cm
-/// are enough: these do not move. Who touches one may drive along it.
+/// told where it is and does the same. Too near is: less than config.keep_clear.robots_m between the bodies;
+/// or the axles so close that one could not turn on the spot beside the other. Who is too near already shall
+/// not come nearer by more than a little. The same holds for the body and the places in seen.surfaces, where
+/// 4 cm are enough: these do not move. Who touches one may drive along it.
 ///
 /// Returns the wanted twist when it is admissible, else the admissible one most like it, standing included;
 /// when none is, the one with the least violation. It does not drive forwards or backwards into an echo to

@@ -59,8 +59,9 @@ std::optional<Wheels> Performance::perform(const Go& leg, const Perception& seen
   }
   const double ahead = free_alongside_m(seen.around, config);
   if (ahead < kTooNearAhead_m) return std::nullopt;
-  return wheels_for(std::max(config.slow_mps, std::min(0.6 * config.cruise_mps, speed_for(ahead, config))),
-                    0.0, config);
+  return wheels_for(
+      std::max(config.driving.slow_mps, std::min(0.6 * config.driving.cruise_mps, speed_for(ahead, config))),
+      0.0, config);
 }
 
 std::optional<Wheels> Performance::perform(const Veer& leg, const Perception& seen,

@@ -17,8 +17,8 @@ constexpr double kSoon_s = 2.5;
 std::optional<Meeting> find_meeting(double bearing_rad, double speed_mps, const Perception& seen,
                                     const Config& config) {
   const Point driving = direction(seen.yaw_WB_rad + bearing_rad);
-  const double body = std::hypot(0.5 * config.body_length_m, 0.5 * config.body_width_m);
-  const double wide = 0.5 * config.body_width_m + body + config.keep_clear_m;
+  const double body = std::hypot(0.5 * config.body.length_m, 0.5 * config.body.width_m);
+  const double wide = 0.5 * config.body.width_m + body + config.keep_clear.robots_m;
   std::optional<Meeting> first;
   double first_s = kSoon_s;
   for (const Neighbour& robot : seen.robots) {

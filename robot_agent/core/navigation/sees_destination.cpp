@@ -4,14 +4,14 @@
 namespace caravan::agent {
 
 std::optional<Point> sees_destination(const Perception& seen, const Config& config) {
-  const double distance = seen.distance_to(config.destination);
-  if (distance > config.detection_radius_m) return std::nullopt;
-  const Corridor line_of_sight{.bearing_rad = seen.bearing_to(config.destination),
-                               .half_width_m = 0.5 * config.corridor_m,
+  const double distance = seen.distance_to(config.task.destination);
+  if (distance > config.exploration.detection_radius_m) return std::nullopt;
+  const Corridor line_of_sight{.bearing_rad = seen.bearing_to(config.task.destination),
+                               .half_width_m = 0.5 * config.passage.corridor_m,
                                .surface_m = 0.1,
                                .surface_per_metre = 0.2};
   if (seen.around.clearance_m(line_of_sight) < distance) return std::nullopt;
-  return config.destination;
+  return config.task.destination;
 }
 
 }  // namespace caravan::agent

@@ -10,8 +10,9 @@ namespace caravan::agent {
 
 /// Where the robot sees the destination; nothing when it does not.
 ///
-/// Sight is simulated by distance, as in the paper (section 3.1): within config.detection_radius_m and not
-/// behind an obstacle that the sonars see. This is the only place that reads config.destination.
+/// Sight is simulated by distance, as in the paper (section 3.1): within
+/// config.exploration.detection_radius_m and not behind an obstacle that the sonars see. This is the only
+/// place that reads config.destination.
 [[nodiscard]] std::optional<Point> sees_destination(const Perception& seen, const Config& config);
 
 }  // namespace caravan::agent

@@ -22,21 +22,21 @@ double turn_rate(double bearing_rad) {
 
 Corridor beside_the_body(const Config& config, double bearing_rad, double beyond_m) {
   return {.bearing_rad = bearing_rad,
-          .half_width_m = 0.5 * config.body_width_m + kBesideBody_m,
+          .half_width_m = 0.5 * config.body.width_m + kBesideBody_m,
           .surface_m = 0.0,
-          .surface_per_metre = std::tan(0.5 * config.sonar_aperture_rad),
+          .surface_per_metre = std::tan(0.5 * config.sonars.aperture_rad),
           .beyond_m = beyond_m};
 }
 
 }  // namespace
 
 Wheels wheels_for(double speed_mps, double turn_radps, const Config& config) {
-  const double difference = 0.5 * turn_radps * config.track_m;
+  const double difference = 0.5 * turn_radps * config.body.track_m;
   Wheels wheels{speed_mps - difference, speed_mps + difference};
   const double fastest = std::max(std::abs(wheels.left_mps), std::abs(wheels.right_mps));
-  if (fastest > config.wheel_limit_mps) {
-    wheels.left_mps *= config.wheel_limit_mps / fastest;
-    wheels.right_mps *= config.wheel_limit_mps / fastest;
+  if (fastest > config.body.wheel_limit_mps) {
+    wheels.left_mps *= config.body.wheel_limit_mps / fastest;
+    wheels.right_mps *= config.body.wheel_limit_mps / fastest;
   }
   return wheels;
 }
@@ -51,22 +51,22 @@ Wheels steer_to(double bearing_rad, double speed_mps, const Config& config) {
 }
 
 double free_ahead_m(const Surroundings& around, const Config& config, double bearing_rad) {
-  return std::max(0.0, around.clearance_m(beside_the_body(config, bearing_rad, 0.0)) - config.body_ahead_m);
+  return std::max(0.0, around.clearance_m(beside_the_body(config, bearing_rad, 0.0)) - config.body.ahead_m);
 }
 
 double free_alongside_m(const Surroundings& around, const Config& config, double bearing_rad) {
-  const double ahead = config.body_ahead_m;
+  const double ahead = config.body.ahead_m;
   return std::max(0.0, around.clearance_m(beside_the_body(config, bearing_rad, ahead - kReaches_m)) - ahead);
 }
 
 double free_behind_m(const Surroundings& around, const Config& config) {
-  const double behind = config.body_length_m - config.body_ahead_m;
+  const double behind = config.body.length_m - config.body.ahead_m;
   return std::max(
       0.0, around.clearance_m(beside_the_body(config, std::numbers::pi, behind - kReaches_m)) - behind);
 }
 
 double turn_from_surfaces_rad(const Perception& seen, const Config& config) {
-  const double wanted = 0.5 * config.body_width_m + kWantedBeside_m;
+  const double wanted = 0.5 * config.body.width_m + kWantedBeside_m;
   const auto lack = [&](double bearing_rad) {
     const double clearance = seen.around.clearance_m(
         {.bearing_rad = bearing_rad, .half_width_m = 0.3, .surface_m = 0.0, .surface_per_metre = 0.0});
@@ -76,8 +76,9 @@ double turn_from_surfaces_rad(const Perception& seen, const Config& config) {
 }
 
 double speed_for(double free_ahead_m, const Config& config) {
-  const double share = std::clamp(free_ahead_m / config.slow_below_m - 1.0, 0.0, 1.0);
-  return config.slow_mps + std::min(1.0, 2.0 * share) * (config.cruise_mps - config.slow_mps);
+  const double share = std::clamp(free_ahead_m / config.driving.slow_below_m - 1.0, 0.0, 1.0);
+  return config.driving.slow_mps +
+         std::min(1.0, 2.0 * share) * (config.driving.cruise_mps - config.driving.slow_mps);
 }
 
 }  // namespace caravan::agent

@@ -37,17 +37,17 @@ bool is_reachable(const Perception& seen, const Point& candidate, const Config& 
   if (!seen.around.in_front_fan(bearing)) return false;
   const double distance = seen.distance_to(candidate);
   const Corridor corridor{.bearing_rad = bearing,
-                          .half_width_m = 0.5 * config.corridor_m,
+                          .half_width_m = 0.5 * config.passage.corridor_m,
                           .surface_m = 0.2,
                           .surface_per_metre = 0.3};
-  return seen.around.clearance_m(corridor) > distance + config.body_ahead_m;
+  return seen.around.clearance_m(corridor) > distance + config.body.ahead_m;
 }
 
 std::optional<Shortcut> find_shortcut(const Ahead& ahead, const Perception& seen, const Config& config,
                                       const Refusals& refusals, double least_gain_m) {
   const std::size_t size = ahead.plan.size();
   if (ahead.next >= size) return std::nullopt;
-  const double squared_radius = config.vision_radius_m * config.vision_radius_m;
+  const double squared_radius = config.smoothing.vision_radius_m * config.smoothing.vision_radius_m;
   const double to_next = seen.distance_to(ahead.plan[ahead.next]);
   BestFew few;
   for (std::size_t i = ahead.next + 1; i < size; ++i) {

@@ -12,8 +12,8 @@
 namespace caravan::agent {
 
 /// True when the sonars say that the robot can drive straight to a point: the bearing lies in the front fan
-/// and no echo lies inside a corridor of config.corridor_m up to the point. Sonars see 5 m; beyond that, and
-/// where a surface reflects nothing, it is trust: what rests on it is provisional.
+/// and no echo lies inside a corridor of config.passage.corridor_m up to the point. Sonars see 5 m; beyond
+/// that, and where a surface reflects nothing, it is trust: what rests on it is provisional.
 [[nodiscard]] bool is_reachable(const Perception& seen, const Point& candidate, const Config& config);
 
 /// The part of a path that lies ahead, in the direction of travel.
@@ -29,8 +29,8 @@ struct Shortcut {
 };
 
 /// Algorithm 4, Modified ApplyPathSmoothing(), lines 1 to 16: of the vertices ahead within
-/// config.vision_radius_m that are reachable, the one that shortens the way most. The order of travel makes
-/// it work in both directions.
+/// config.smoothing.vision_radius_m that are reachable, the one that shortens the way most. The order of
+/// travel makes it work in both directions.
 ///
 /// @param least_gain_m  a shortcut that saves less is none
 [[nodiscard]] std::optional<Shortcut> find_shortcut(const Ahead& ahead, const Perception& seen,

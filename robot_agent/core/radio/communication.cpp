@@ -41,11 +41,11 @@ struct Communication::Impl {
   std::vector<Refuse> refusals;     // of the present step
 
   explicit Impl(const Config& c) : config{c}, pairing{c} {
-    CARAVAN_ASSERT(c.id.value != 0 && c.channel_count >= 2 && points_per_frame() >= 1);
+    CARAVAN_ASSERT(c.id.value != 0 && c.air.channel_count >= 2 && points_per_frame() >= 1);
   }
 
   [[nodiscard]] std::uint32_t points_per_frame() const {
-    return std::min(config.points_per_frame, points_that_fit(config.mtu_bytes));
+    return std::min(config.sharing.points_per_frame, points_that_fit(config.air.mtu_bytes));
   }
   [[nodiscard]] static Mode mode(const AirInputs& inputs) {
     return inputs.own_path.size() >= 2 ? Mode::kTransport : Mode::kExplore;
@@ -54,7 +54,7 @@ struct Communication::Impl {
     return can_communicate(config, contacts, mode(inputs), partner, partners, inputs.now);
   }
   [[nodiscard]] Channel channel_with(RobotId partner) const {
-    return private_channel(config.id, partner, config.channel_count);
+    return private_channel(config.id, partner, config.air.channel_count);
   }
   [[nodiscard]] bool is_for_me(RobotId from, RobotId to) const {
     return to == config.id && from != config.id;
@@ -146,7 +146,7 @@ Send Communication::Impl::apply(const PairingEvent& event, const AirInputs& inpu
   state = decision.next;
   const bool is_open = std::holds_alternative<InSession>(state);
   if (is_open && !transfer) {
-    transfer.emplace(inputs.own_path, wants_path(config.sharing, mode(inputs)), points_per_frame());
+    transfer.emplace(inputs.own_path, wants_path(config.sharing.mode, mode(inputs)), points_per_frame());
   } else if (!is_open) {
     transfer.reset();
   }
@@ -156,7 +156,7 @@ Send Communication::Impl::apply(const PairingEvent& event, const AirInputs& inpu
 void Communication::Impl::conclude(const Outcome& outcome, AirOutputs& outputs) {
   const Exchange& exchange = outcome.exchange;
   outputs.ended.push_back(exchange);
-  const Time hold = exchange.completed ? Time{config.recontact_after} : outcome.hold;
+  const Time hold = exchange.completed ? Time{config.sharing.recontact_after} : outcome.hold;
   if (hold > Time{0}) contacts.avoid_until(exchange.partner, exchange.ended + hold);
   if (!exchange.completed) return;
   Path path = transfer->partners_path();
@@ -174,7 +174,7 @@ bool Communication::Impl::strays(const AirInputs& inputs) const {
 
 void Communication::Impl::send_wait(const AirInputs& inputs, AirOutputs& outputs) {
   if (inputs.now < next_wait && !strays(inputs)) return;
-  next_wait = inputs.now + config.wait_period;
+  next_wait = inputs.now + config.wait.period;
   const Presence presence = presence_in(state, inputs.now);
   const Wait wait{config.id, mode(inputs), presence.engagement, presence.partner, inputs.whereabouts};
   outputs.frames.push_back({kCommonChannel, encode(wait)});
@@ -233,7 +233,7 @@ Channel Communication::Impl::tuned() const {
 
 /// Robots are silent to one who listens elsewhere, and between their WAITs.
 bool Communication::Impl::is_robot_near(Time now) const {
-  const Time remembered = listened == kCommonChannel ? Time{config.wait_period} : kRemember;
+  const Time remembered = listened == kCommonChannel ? Time{config.wait.period} : kRemember;
   return robot_heard && now - *robot_heard <= remembered;
 }
 

@@ -41,7 +41,7 @@ Neighbour carried_on(RobotId robot, const Whereabouts& told, Time after) {
 }
 
 Neighbours::Neighbours(const Config& config)
-    : remembers_{std::max(kRemembers, config.wait_period + config.wait_period / 5)} {}
+    : remembers_{std::max(kRemembers, config.wait.period + config.wait.period / 5)} {}
 
 void Neighbours::hear(const Wait& wait, Time sent) {
   if (!wait.whereabouts) return;

@@ -22,7 +22,7 @@ Perception perceive(Time now, const Sensors& sensors, bool robot_near, std::vect
     const Point p_W = sensors.p_WB + p_B.x() * ahead + p_B.y() * Point{-ahead.y(), ahead.x()};
     return std::ranges::any_of(robots, [&](const Neighbour& robot) {
       const double blur = kExplains_m + kExplainsPerMetre * p_B.norm();
-      return distance_m(Body{robot.p_WB, robot.yaw_WB_rad}, p_W, config) < blur;
+      return distance_m(Pose{robot.p_WB, robot.yaw_WB_rad}, p_W, config.body) < blur;
     });
   });
   return {now,        sensors.p_WB, sensors.yaw_WB_rad, sensors.holding,

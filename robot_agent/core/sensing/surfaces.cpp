@@ -39,9 +39,9 @@ Point turned(const Point& v_B, const Point& ahead_W) {
 }  // namespace
 
 Surfaces::Surfaces(const Config& config)
-    : memory_{config.surface_memory},
-      patience_{config.touch_patience},
-      has_map_{memory_ > kRemembers || config.touched_places > 0} {}
+    : memory_{config.surfaces.duration},
+      patience_{config.patience.timeout},
+      has_map_{memory_ > kRemembers || config.obstacles.places > 0} {}
 
 void Surfaces::see(const Perception& seen) {
   forget(seen);
@@ -95,7 +95,7 @@ void Surfaces::follow(std::size_t sonar, const Point& across_W, const Point& at,
 void Surfaces::touch_ahead(const Perception& seen, const Config& config) {
   const Point ahead = direction(seen.yaw_WB_rad);
   for (const double part : kAcrossTheFront) {
-    const Point at_B{config.body_ahead_m + kInFront_m, part * config.body_width_m};
+    const Point at_B{config.body.ahead_m + kInFront_m, part * config.body.width_m};
     const Point at = seen.p_WB + turned(at_B, ahead);
     remember({at, seen.now});
     if (has_map_) map_.touch(at, seen.now);

@@ -16,7 +16,8 @@ namespace caravan::agent {
 /// Corners and oblique walls return no echo, but the walls that meet in a corner did so a moment before the
 /// robot came beside it, and a wall that a sonar has followed goes on for a little. So what is known of a
 /// place is more than what the sonars say at this moment. It is a belief of seconds; what lasts longer, for
-/// config.surface_memory, comes from a map. A robot that gets nowhere forgets what the map holds around it.
+/// config.surfaces.duration, comes from a map. A robot that gets nowhere forgets what the map holds around
+/// it.
 class Surfaces {
  public:
   explicit Surfaces(const Config& config);

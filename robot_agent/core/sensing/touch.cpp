@@ -22,7 +22,7 @@ double TouchSensor::speed_mps(std::size_t wheel, std::size_t before, const Confi
   const Sample& late = samples_[before];
   const Sample& early = samples_[before + kNow];
   const double seconds = std::chrono::duration<double>(late.at - early.at).count();
-  return config.wheel_radius_m * (late.angle_rad[wheel] - early.angle_rad[wheel]) / seconds;
+  return config.body.wheel_radius_m * (late.angle_rad[wheel] - early.angle_rad[wheel]) / seconds;
 }
 
 bool TouchSensor::has_lost_speed(std::size_t wheel, const Config& config) const {
@@ -55,19 +55,19 @@ std::optional<Touch> TouchSensor::update(Time now, const Sensors& sensors, const
   const bool right = has_lost_speed(1, config);
   if (!left && !right) return std::nullopt;
   last_touch_ = now;
-  const double rear = config.body_ahead_m - config.body_length_m;
-  const double side = 0.5 * config.body_width_m;
+  const double rear = config.body.ahead_m - config.body.length_m;
+  const double side = 0.5 * config.body.width_m;
   // Which wheel is slowed does not tell the side: a face met at more than 45 degrees turns the robot away
   // from it.
   if (told.left_mps * told.right_mps > 0.0) {
     const bool forward = told.left_mps > 0.0;
-    return Touch{{forward ? config.body_ahead_m : rear, 0.0}, {forward ? 1.0 : -1.0, 0.0}, side};
+    return Touch{{forward ? config.body.ahead_m : rear, 0.0}, {forward ? 1.0 : -1.0, 0.0}, side};
   }
   // It turns: what a rear corner meets pushes the base forward, what a front corner meets backward.
   const double pushed = speed_mps(0, 0, config) + speed_mps(1, 0, config) - told.left_mps - told.right_mps;
   if (std::abs(pushed) < 2.0 * kPushed_mps) return std::nullopt;
   const double to_the_left = (told.right_mps > told.left_mps) == (pushed < 0.0) ? 1.0 : -1.0;
-  return Touch{{pushed > 0.0 ? rear : config.body_ahead_m, to_the_left * side}, {0.0, to_the_left}};
+  return Touch{{pushed > 0.0 ? rear : config.body.ahead_m, to_the_left * side}, {0.0, to_the_left}};
 }
 
 }  // namespace caravan::agent

@@ -33,7 +33,7 @@ bool UnseenObstacles::is_explained(const Touch& touch, const Surfaces& surfaces,
     const Point at_B = touch.at_B + side * touch.either_side_m * beside_B;
     const Point at_W = seen.p_WB + turned(at_B, seen.yaw_WB_rad);
     const bool robot = std::ranges::any_of(seen.robots, [&](const Neighbour& one) {
-      return distance_m(Body{one.p_WB, one.yaw_WB_rad}, at_W, config) < kRobot_m;
+      return distance_m(Pose{one.p_WB, one.yaw_WB_rad}, at_W, config.body) < kRobot_m;
     });
     return robot || surfaces.is_high(at_W);
   });
@@ -41,7 +41,7 @@ bool UnseenObstacles::is_explained(const Touch& touch, const Surfaces& surfaces,
 
 std::optional<Point> UnseenObstacles::feel(const Sensors& sensors, const Wheels& told,
                                            const Surfaces& surfaces, const Config& config, Perception& seen) {
-  if (config.touched_places == 0) return std::nullopt;
+  if (config.obstacles.places == 0) return std::nullopt;
   std::optional<Point> is_new;
   if (const auto touch = sensor_.update(seen.now, sensors, told, config)) {
     const Point at = seen.p_WB + turned(touch->at_B, seen.yaw_WB_rad);
@@ -55,10 +55,10 @@ std::optional<Point> UnseenObstacles::feel(const Sensors& sensors, const Wheels&
       [&](const Point& at) { return seen.distance_to(at) < kSeesNow_m && surfaces.is_high(at); });
   places_.stand_on({seen.p_WB, seen.yaw_WB_rad}, config);
   for (const Point& at : places_.at(seen.p_WB, kReach_m)) seen.surfaces.push_back(at);
-  seen.touched_W = places_.middles(seen.p_WB, config.vision_radius_m);
+  seen.touched_W = places_.middles(seen.p_WB, config.smoothing.vision_radius_m);
   const std::vector<Point> middles_B = in_base_frame(seen.touched_W, seen);
-  seen.still.add_touched(middles_B, config.touch_margin_m);
-  seen.around.add_touched(middles_B, config.touch_margin_m);
+  seen.still.add_touched(middles_B, config.obstacles.margin_m);
+  seen.around.add_touched(middles_B, config.obstacles.margin_m);
   return is_new;
 }
 
@@ -75,10 +75,10 @@ std::optional<Point> UnseenObstacles::expect(const Surfaces& surfaces, const Con
 
 std::optional<Point> UnseenObstacles::touch_ahead(const Surfaces& surfaces, const Config& config,
                                                   const Perception& seen) {
-  if (config.touched_places == 0) return std::nullopt;
-  const Touch touch{{config.body_ahead_m, 0.0}, {1.0, 0.0}, 0.5 * config.body_width_m};
+  if (config.obstacles.places == 0) return std::nullopt;
+  const Touch touch{{config.body.ahead_m, 0.0}, {1.0, 0.0}, 0.5 * config.body.width_m};
   const Point ahead = direction(seen.yaw_WB_rad);
-  const Point at = seen.p_WB + config.body_ahead_m * ahead;
+  const Point at = seen.p_WB + config.body.ahead_m * ahead;
   if (is_explained(touch, surfaces, config, seen) || !places_.add(at, ahead, config)) return std::nullopt;
   return at;
 }

@@ -14,11 +14,11 @@ namespace caravan::agent {
 ///
 /// What is touched is no such obstacle when a robot is there, when one is heard that does not tell where it
 /// is, or when the sonars saw something there from close by: the corner of something high. Where they do so
-/// later, the place is forgotten. A robot that gets nowhere for config.touch_patience forgets what it touched
-/// around it: places that are wrong cannot hold it for longer.
+/// later, the place is forgotten. A robot that gets nowhere for config.patience.timeout forgets what it
+/// touched around it: places that are wrong cannot hold it for longer.
 class UnseenObstacles {
  public:
-  explicit UnseenObstacles(const Config& config) : patience_{config.touch_patience} {}
+  explicit UnseenObstacles(const Config& config) : patience_{config.patience.timeout} {}
 
   /// To be called in every step; completes `seen`.
   /// @param told  what the wheels were told in the step before

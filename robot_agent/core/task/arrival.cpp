@@ -12,8 +12,8 @@ constexpr double kCrowded_m = 2.5;
 
 bool has_arrived(const Perception& seen, const Point& at, const Config& config) {
   const double distance = seen.distance_to(at);
-  if (distance < config.arrival_radius_m) return true;
-  if (distance >= config.service_radius_m || !seen.robot_near) return false;
+  if (distance < config.task.arrival_radius_m) return true;
+  if (distance >= config.task.service_radius_m || !seen.robot_near) return false;
   return free_ahead_m(seen.around, config, seen.bearing_to(at)) < kCrowded_m;
 }
 

@@ -29,7 +29,7 @@ constexpr double kReached_m = 0.3;
 
 /// From the middle of what it touched: a little more than shortcuts keep, so that it does not stop beside it.
 double keeps_from_touched_m(const Config& config) {
-  return 0.5 * config.corridor_m + config.touch_margin_m + 0.05;
+  return 0.5 * config.passage.corridor_m + config.obstacles.margin_m + 0.05;
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ double keeps_from_touched_m(const Config& config) {
 Carrier::Carrier(const Config& config, Path path, const Point& p_WB)
     : config_{config},
       route_{std::move(path), false, p_WB},
-      gripper_{config.gripper_patience},
+      gripper_{config.task.gripper_patience},
       last_smoothed_at_{p_WB},
       best_remaining_m_{std::numeric_limits<double>::infinity()},
       last_wander_{-kWanderAgain} {}
@@ -125,10 +125,10 @@ void Carrier::smooth(const Perception& seen) {
   last_smoothed_at_ = seen.p_WB;
   if (route_.off_path_m(seen.p_WB) > kOnPath_m || route_.provisional_m() > kLongestProvisional_m) return;
   const double least =
-      route_.is_provisional() ? std::max(kNestedGain_m, config_.shortcut_gain_m) : config_.shortcut_gain_m;
+      route_.is_provisional() ? std::max(kNestedGain_m, config_.smoothing.gain_m) : config_.smoothing.gain_m;
   const auto shortcut = find_shortcut(route_.ahead(), seen, config_, refusals_, least);
   if (!shortcut) return;
-  route_.shorten(seen.p_WB, shortcut->candidate, config_.point_spacing_m);
+  route_.shorten(seen.p_WB, shortcut->candidate, config_.recording.spacing_m);
   expect_progress();
 }
 
@@ -138,12 +138,12 @@ void Carrier::react(Obstruction obstruction, const Perception& seen, Driver& dri
       obstruction == Obstruction::kObstacle || (obstruction == Obstruction::kTouch && !seen.robot_near);
   if (!stands) return;
   if (obstruction == Obstruction::kTouch) {
-    const Point front = seen.p_WB + config_.body_ahead_m * direction(seen.yaw_WB_rad);
-    refusals_.touched(front, seen.now + config_.shortcut_pause);
+    const Point front = seen.p_WB + config_.body.ahead_m * direction(seen.yaw_WB_rad);
+    refusals_.touched(front, seen.now + config_.smoothing.pause);
   }
   if (route_.is_provisional()) {
     const Route::Ends blocked = route_.restore(seen.p_WB);
-    refusals_.refuse(blocked.from, blocked.to, seen.now + config_.shortcut_pause);
+    refusals_.refuse(blocked.from, blocked.to, seen.now + config_.smoothing.pause);
     notes.add("shortcut_restored");
     if (obstruction == Obstruction::kObstacle) driver.back_off();
     expect_progress();

@@ -18,7 +18,7 @@ constexpr Time kLooksAway = 8s;  // after the destination proved out of reach fr
 }  // namespace
 
 Explorer::Explorer(const Config& config)
-    : config_{config}, record_{config.source, config.point_spacing_m}, state_{Searching{}} {}
+    : config_{config}, record_{config.task.source, config.recording.spacing_m}, state_{Searching{}} {}
 
 Motion Explorer::step(const Perception& seen, Driver& driver, pure::Random& random) {
   record_.visit(seen.p_WB, seen.yaw_WB_rad);

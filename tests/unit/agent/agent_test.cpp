@@ -23,9 +23,9 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// A room of 12 m with a box in it; the destination is out of sight from the source.
 Config room() {
   Config config;
-  config.source = {-4.5, -4.5};
-  config.destination = {4.5, 4.5};
-  config.sharing = Sharing::kNone;
+  config.task.source = {-4.5, -4.5};
+  config.task.destination = {4.5, 4.5};
+  config.sharing.mode = Sharing::kNone;
   return config;
 }
 LineWorld world_of(const Config& config) {
@@ -69,7 +69,7 @@ TEST(Agent, TheDestinationHasNoInfluenceUntilItIsInSight) {
   const Drive recorded = drive(room(), 12000);
   Config here = room();
   Config elsewhere = room();
-  elsewhere.destination = {-300.0, 7000.0};
+  elsewhere.task.destination = {-300.0, 7000.0};
   Agent one{here};
   Agent other{elsewhere};
   bool in_sight = false;
@@ -77,7 +77,7 @@ TEST(Agent, TheDestinationHasNoInfluenceUntilItIsInSight) {
   for (const Inputs& inputs : recorded.inputs) {
     const Wheels first = one.step(inputs).wheels;
     const Wheels second = other.step(inputs).wheels;
-    in_sight = in_sight || (inputs.sensors.p_WB - here.destination).norm() <= here.detection_radius_m;
+    in_sight = in_sight || (inputs.sensors.p_WB - here.task.destination).norm() <= here.exploration.detection_radius_m;
     if (in_sight) break;
     ASSERT_EQ(first, second);
     ++equal_steps;
@@ -115,8 +115,8 @@ TEST(Agent, WithoutSonarsItStops) {
 bool gives_way(bool robots_are_solid) {
   Config config;
   config.id = RobotId{2};
-  config.destination = {2.0, 0.0};
-  config.service_radius_m = config.arrival_radius_m = 0.3;
+  config.task.destination = {2.0, 0.0};
+  config.task.service_radius_m = config.task.arrival_radius_m = 0.3;
   config.robots_are_solid = robots_are_solid;
   Agent agent{config};
   Agent other{Config{}};
@@ -255,7 +255,7 @@ TEST(AgentProperty, NoPathThatItReportsEverLeadsThroughAWallSeenOrNot) {
 
 TEST(Agent, NothingToPickUpIsReportedAndDoesNotStopIt) {
   Config config = room();
-  config.service_radius_m = 0.01;  // the world hands nothing over
+  config.task.service_radius_m = 0.01;  // the world hands nothing over
   LineWorld world = world_of(config);
   world.add_robot({-4.0, -4.0}, 0.7);
   world.run_for(900.0);

@@ -25,15 +25,15 @@ TEST(AgentConfig, ThePapersTextAndItsCodeDifferAsTheFactsSay) {
   const Config text = load_config(TomlDocument::load(folder + "paper.toml"), 3);
   const Config code = load_config(TomlDocument::load(folder + "paper_code.toml"), 3);
   EXPECT_EQ(text.id, RobotId{3});
-  EXPECT_DOUBLE_EQ(text.point_spacing_m, 1.0);
-  EXPECT_DOUBLE_EQ(code.point_spacing_m, 0.3);
-  EXPECT_DOUBLE_EQ(text.vision_radius_m, 6.0);
-  EXPECT_DOUBLE_EQ(code.vision_radius_m, 4.0);
-  EXPECT_DOUBLE_EQ(text.detection_radius_m, 4.0);
-  EXPECT_DOUBLE_EQ(code.detection_radius_m, 2.0);
-  EXPECT_EQ(text.wait_period, std::chrono::nanoseconds{0});
-  EXPECT_EQ(code.wait_period, std::chrono::seconds{1});
-  EXPECT_EQ(code.accept_period, std::chrono::milliseconds{500});
+  EXPECT_DOUBLE_EQ(text.recording.spacing_m, 1.0);
+  EXPECT_DOUBLE_EQ(code.recording.spacing_m, 0.3);
+  EXPECT_DOUBLE_EQ(text.smoothing.vision_radius_m, 6.0);
+  EXPECT_DOUBLE_EQ(code.smoothing.vision_radius_m, 4.0);
+  EXPECT_DOUBLE_EQ(text.exploration.detection_radius_m, 4.0);
+  EXPECT_DOUBLE_EQ(code.exploration.detection_radius_m, 2.0);
+  EXPECT_EQ(text.wait.period, std::chrono::nanoseconds{0});
+  EXPECT_EQ(code.wait.period, std::chrono::seconds{1});
+  EXPECT_EQ(code.sharing.accept_period, std::chrono::milliseconds{500});
 }
 
 TEST(AgentConfig, ARobotThatTheScenarioDoesNotHaveIsRefusedByName) {
@@ -47,9 +47,9 @@ TEST(AgentConfig, TrafficAndStopsToExchangeCanBeSwitchedOff) {
   const auto scenario =
       TomlDocument::parse("[robots]\nsolid = false\n[algorithm]\nstop_to_exchange = false\n", "a.toml");
   EXPECT_FALSE(load_config(scenario, 1).robots_are_solid);
-  EXPECT_FALSE(load_config(scenario, 1).stop_to_exchange);
+  EXPECT_FALSE(load_config(scenario, 1).sharing.stop_to_exchange);
   EXPECT_TRUE(Config{}.robots_are_solid);
-  EXPECT_TRUE(Config{}.stop_to_exchange);
+  EXPECT_TRUE(Config{}.sharing.stop_to_exchange);
 }
 
 TEST(AgentConfig, EveryNumberIsBounded) {

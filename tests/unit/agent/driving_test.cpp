@@ -24,8 +24,8 @@ const std::vector<Wall> kNearAhead = {{{0.55, -0.5}, {0.55, 0.5}}};
 TEST(Steering, DrivesStraightAtCruiseTowardsAGoalAhead) {
   const Config config;
   const Wheels wheels = steer_to(0.0, speed_for(5.0, config), config);
-  EXPECT_DOUBLE_EQ(wheels.left_mps, config.cruise_mps);
-  EXPECT_DOUBLE_EQ(wheels.right_mps, config.cruise_mps);
+  EXPECT_DOUBLE_EQ(wheels.left_mps, config.driving.cruise_mps);
+  EXPECT_DOUBLE_EQ(wheels.right_mps, config.driving.cruise_mps);
 }
 
 TEST(Steering, TurnsInPlaceTowardsAGoalBehind) {
@@ -36,7 +36,7 @@ TEST(Steering, TurnsInPlaceTowardsAGoalBehind) {
 
 TEST(Steering, NeverExceedsTheWheelLimit) {
   Config config;
-  config.wheel_limit_mps = 1.0;
+  config.body.wheel_limit_mps = 1.0;
   const Wheels wheels = wheels_for(0.975, 2.5, config);
   EXPECT_LE(std::abs(wheels.right_mps), 1.0);
   EXPECT_LT(wheels.left_mps, wheels.right_mps);
@@ -44,8 +44,8 @@ TEST(Steering, NeverExceedsTheWheelLimit) {
 
 TEST(Steering, IsSlowNearAnObstacle) {
   const Config config;
-  EXPECT_DOUBLE_EQ(speed_for(0.9, config), config.slow_mps);
-  EXPECT_DOUBLE_EQ(speed_for(2.0, config), config.cruise_mps);
+  EXPECT_DOUBLE_EQ(speed_for(0.9, config), config.driving.slow_mps);
+  EXPECT_DOUBLE_EQ(speed_for(2.0, config), config.driving.cruise_mps);
 }
 
 TEST(Driver, AnEchoAheadWithAWaitIsARobotAndBothTurnSlightlyLeft) {
@@ -97,7 +97,7 @@ TEST(StuckMonitor, AMovingOrATurningOrAStandingRobotIsNotStuck) {
       const double speed = 0.5 * (wheels.left_mps + wheels.right_mps);
       seen.p_WB.x() += 0.032 * speed;
       seen.yaw_WB_rad =
-          wrapped(seen.yaw_WB_rad + 0.032 * (wheels.right_mps - wheels.left_mps) / config.track_m);
+          wrapped(seen.yaw_WB_rad + 0.032 * (wheels.right_mps - wheels.left_mps) / config.body.track_m);
     }
   }
 }

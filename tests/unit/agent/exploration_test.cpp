@@ -21,8 +21,8 @@ TEST(Exploration, InTheOpenTheNewLocationLiesOneStepAwayNearTheHeading) {
   bool right = false;
   for (int i = 0; i < 200; ++i) {
     const Point location = new_location_to_explore(seen, config, random);
-    EXPECT_NEAR(seen.distance_to(location), config.exploration_step_m, 1e-9);
-    EXPECT_LE(std::abs(seen.bearing_to(location)), config.exploration_spread_rad + 1e-9);
+    EXPECT_NEAR(seen.distance_to(location), config.exploration.step_m, 1e-9);
+    EXPECT_LE(std::abs(seen.bearing_to(location)), config.exploration.spread_rad + 1e-9);
     left = left || seen.bearing_to(location) > 0.3;
     right = right || seen.bearing_to(location) < -0.3;
   }

@@ -40,14 +40,14 @@ Perception beside_a_wall(double left_m) {
 
 TEST(BodyDistance, IsThatBetweenTheRectangles) {
   const Config config;
-  const Body here{{0, 0}, 0.0};  // from -0.285 to 0.2 along, 0.1905 to both sides
-  EXPECT_NEAR(distance_m(here, Body{{1.0, 0.0}, kPi}, config), 0.6, 1e-9) << "front to front";
-  EXPECT_NEAR(distance_m(here, Body{{0.0, 0.5}, 0.0}, config), 0.119, 1e-9) << "side by side";
-  EXPECT_NEAR(distance_m(here, Body{{1.0, 0.0}, 0.5 * kPi}, config), 0.6095, 1e-9) << "front to side";
-  EXPECT_EQ(distance_m(here, Body{{0.3, 0.1}, 0.7}, config), 0.0) << "overlapping";
-  EXPECT_NEAR(distance_m(here, Point{0.5, 0.5905}, config), 0.5, 1e-9);
-  EXPECT_NEAR(signed_distance_m(here, Point{0.5, 0.5905}, config), 0.5, 1e-9);
-  EXPECT_NEAR(signed_distance_m(here, Point{0.0, 0.1705}, config), -0.02, 1e-9) << "inside";
+  const Pose here{{0, 0}, 0.0};  // from -0.285 to 0.2 along, 0.1905 to both sides
+  EXPECT_NEAR(distance_m(here, Pose{{1.0, 0.0}, kPi}, config.body), 0.6, 1e-9) << "front to front";
+  EXPECT_NEAR(distance_m(here, Pose{{0.0, 0.5}, 0.0}, config.body), 0.119, 1e-9) << "side by side";
+  EXPECT_NEAR(distance_m(here, Pose{{1.0, 0.0}, 0.5 * kPi}, config.body), 0.6095, 1e-9) << "front to side";
+  EXPECT_EQ(distance_m(here, Pose{{0.3, 0.1}, 0.7}, config.body), 0.0) << "overlapping";
+  EXPECT_NEAR(distance_m(here, Point{0.5, 0.5905}, config.body), 0.5, 1e-9);
+  EXPECT_NEAR(signed_distance_m(here, Point{0.5, 0.5905}, config.body), 0.5, 1e-9);
+  EXPECT_NEAR(signed_distance_m(here, Point{0.0, 0.1705}, config.body), -0.02, 1e-9) << "inside";
 }
 
 TEST(KeepClear, ChangesNothingWithNobodyNear) {
@@ -134,12 +134,12 @@ TEST(KeepClear, BacksOffFromWhatItTouches) {
 TEST(Meeting, BothFindTheSameSideToPassOn) {
   const Config config;
   Neighbour comes = standing({1.8, 0.4}, kPi);
-  comes.speed_mps = config.cruise_mps;
-  const auto mine = find_meeting(0.0, config.cruise_mps, among({comes}), config);
-  Perception other = among({{RobotId{3}, {0, 0}, 0.0, config.cruise_mps, 0.0}});
+  comes.speed_mps = config.driving.cruise_mps;
+  const auto mine = find_meeting(0.0, config.driving.cruise_mps, among({comes}), config);
+  Perception other = among({{RobotId{3}, {0, 0}, 0.0, config.driving.cruise_mps, 0.0}});
   other.p_WB = comes.p_WB;
   other.yaw_WB_rad = kPi;
-  const auto theirs = find_meeting(0.0, config.cruise_mps, other, config);
+  const auto theirs = find_meeting(0.0, config.driving.cruise_mps, other, config);
   ASSERT_TRUE(mine && theirs);
   EXPECT_NEAR(mine->passes_m, 0.4, 1e-9) << "on my left";
   EXPECT_NEAR(theirs->passes_m, mine->passes_m, 1e-9) << "and I on its left";
@@ -149,10 +149,10 @@ TEST(Meeting, OneThatDrivesAheadOrPassesWideOrIsBehindIsNotMet) {
   const Config config;
   Neighbour ahead = standing({1.0, 0.0}, 0.2);
   ahead.speed_mps = 0.5;
-  EXPECT_FALSE(find_meeting(0.0, config.cruise_mps, among({ahead}), config));
-  EXPECT_FALSE(find_meeting(0.0, config.cruise_mps, among({standing({1.0, 1.0}, 0.0)}), config));
-  EXPECT_FALSE(find_meeting(0.0, config.cruise_mps, among({standing({-1.0, 0.0}, 0.0)}), config));
-  EXPECT_TRUE(find_meeting(0.0, config.cruise_mps, among({standing({1.0, 0.3}, 0.0)}), config));
+  EXPECT_FALSE(find_meeting(0.0, config.driving.cruise_mps, among({ahead}), config));
+  EXPECT_FALSE(find_meeting(0.0, config.driving.cruise_mps, among({standing({1.0, 1.0}, 0.0)}), config));
+  EXPECT_FALSE(find_meeting(0.0, config.driving.cruise_mps, among({standing({-1.0, 0.0}, 0.0)}), config));
+  EXPECT_TRUE(find_meeting(0.0, config.driving.cruise_mps, among({standing({1.0, 0.3}, 0.0)}), config));
 }
 
 TEST(Neighbours, MoveOnAsTheyToldAndAreForgottenWhenTheyFallSilent) {

@@ -15,7 +15,7 @@ using test::Wall;
 
 Config with_destination(const Point& at) {
   Config config;
-  config.destination = at;
+  config.task.destination = at;
   return config;
 }
 

@@ -22,7 +22,7 @@ Perception look(std::span<const Wall> walls, Time now, const Point& p_WB, double
                 std::vector<Neighbour> robots = {}) {
   const Config config;
   Sensors sensors;
-  sensors.sonar_range_m = test::sonar_ranges_m(walls, p_WB, yaw_rad, config.sonar_range_m);
+  sensors.sonar_range_m = test::sonar_ranges_m(walls, p_WB, yaw_rad, config.sonars.range_m);
   sensors.p_WB = p_WB;
   sensors.yaw_WB_rad = yaw_rad;
   const bool near = !robots.empty();
@@ -32,8 +32,8 @@ Perception look(std::span<const Wall> walls, Time now, const Point& p_WB, double
 /// A robot that remembers for no longer than it must.
 Config short_memory() {
   Config config;
-  config.surface_memory = 20s;
-  config.touched_places = 0;
+  config.surfaces.duration = 20s;
+  config.obstacles.places = 0;
   return config;
 }
 const Config kShort = short_memory();
@@ -74,7 +74,7 @@ TEST(Surfaces, ForgetAfterAWhile) {
 
 TEST(Surfaces, RememberForAsLongAsTheyAreToldWhereverTheRobotHasBeen) {
   Config config;
-  config.surface_memory = 300s;
+  config.surfaces.duration = 300s;
   Surfaces surfaces{config};
   const Time then = drive_along(surfaces, kCorner);
   surfaces.see(look({}, then + 200s, {40.0, 0.0}, 0.0));

@@ -16,8 +16,8 @@ class Wheelwork {
     for (int i = 0; i < steps; ++i) {
       now_ += kStep;
       const double seconds = std::chrono::duration<double>(kStep).count();
-      sensors_.left_wheel_rad += seconds * turning.left_mps / config_.wheel_radius_m;
-      sensors_.right_wheel_rad += seconds * turning.right_mps / config_.wheel_radius_m;
+      sensors_.left_wheel_rad += seconds * turning.left_mps / config_.body.wheel_radius_m;
+      sensors_.right_wheel_rad += seconds * turning.right_mps / config_.body.wheel_radius_m;
       const auto touch = sensor_.update(now_, sensors_, told, config_);
       if (touch) ++touches_;
       if (touch && !first) first = touch;
@@ -110,7 +110,7 @@ TEST(TouchSensor, FeelsNothingInFramesThatAreRareAndLate) {
   for (int i = 0; i < 200; ++i) {
     const Time late{i % 3 == 0 ? 60'000'000 : 0};  // of 10 frames a second, told at arrival
     now = i * Time{100'000'000} + late;
-    sensors.left_wheel_rad = sensors.right_wheel_rad = 0.06 * i / config.wheel_radius_m;
+    sensors.left_wheel_rad = sensors.right_wheel_rad = 0.06 * i / config.body.wheel_radius_m;
     EXPECT_FALSE(sensor.update(now, sensors, {0.6, 0.6}, config));
   }
 }

@@ -36,7 +36,7 @@ class Driven {
     for (int i = 0; i < steps; ++i) {
       now_ += kStep;
       if (!stopped) p_WB_.x() += 0.029;
-      if (!stopped) angle_rad_ += 0.029 / config.wheel_radius_m;
+      if (!stopped) angle_rad_ += 0.029 / config.body.wheel_radius_m;
       news += look(kDrives) ? 1 : 0;
     }
     return news;
@@ -81,7 +81,7 @@ TEST(UnseenObstacles, AreRememberedAndPlannedRoundForTheWholeRun) {
   robot.stand_at({-1.5, 0.0}, std::chrono::hours{2});
   const Perception& seen = robot.seen();
   ASSERT_EQ(seen.touched_W.size(), 1U);
-  EXPECT_NEAR((seen.touched_W[0] - front).norm(), robot.config.touch_margin_m, 1e-9);
+  EXPECT_NEAR((seen.touched_W[0] - front).norm(), robot.config.obstacles.margin_m, 1e-9);
   EXPECT_NEAR(free_ahead_m(seen.around, robot.config), front.x() + 1.5 - 0.2, 1e-9);
   EXPECT_NEAR(free_ahead_m(seen.still, robot.config), front.x() + 1.5 - 0.2, 1e-9);
   EXPECT_FALSE(is_reachable(seen, {2.5, 0.0}, robot.config)) << "no shortcut leads through it";
@@ -152,7 +152,7 @@ TEST(UnseenObstacles, AreKnownBeforeTheyAreTouchedByTheEchoThatVanishes) {
     robot.vanishes_m = vanishes;
     EXPECT_EQ(robot.drive(70, false), 1);
     ASSERT_THAT(robot.seen().touched_W, testing::SizeIs(1));
-    EXPECT_NEAR(robot.seen().touched_W[0].x() - robot.config.touch_margin_m, 2.5, 0.05);
+    EXPECT_NEAR(robot.seen().touched_W[0].x() - robot.config.obstacles.margin_m, 2.5, 0.05);
     EXPECT_LT(free_ahead_m(robot.seen().around, robot.config), 0.5) << "what drives takes it for an echo";
   }
 }
@@ -196,7 +196,7 @@ TEST(UnseenObstacles, HoldNobodyForLong) {
   robot.drive(20, false);
   ASSERT_EQ(robot.drive(4, true), 1);  // an operator held it
   const Point there = robot.seen().p_WB;
-  for (Time waited{0}; waited < robot.config.touch_patience - 1s; waited += 1s) robot.stand_at(there, 1s);
+  for (Time waited{0}; waited < robot.config.patience.timeout - 1s; waited += 1s) robot.stand_at(there, 1s);
   EXPECT_THAT(robot.seen().touched_W, testing::SizeIs(1));
   robot.stand_at(there, 2s);
   robot.stand_at(there, 1s);
@@ -205,7 +205,7 @@ TEST(UnseenObstacles, HoldNobodyForLong) {
 
 TEST(UnseenObstacles, AreBoundedAndTheOldestGoes) {
   Config config;
-  config.touched_places = 3;
+  config.obstacles.places = 3;
   TouchedPlaces places;
   for (int i = 0; i < 10; ++i) EXPECT_TRUE(places.add({1.0 * i, 0.0}, {1.0, 0.0}, config));
   EXPECT_FALSE(places.add({7.0, 0.0}, {1.0, 0.0}, config)) << "known";
@@ -216,7 +216,7 @@ TEST(UnseenObstacles, AreBoundedAndTheOldestGoes) {
 
 TEST(UnseenObstacles, AreOffWithoutPlaces) {
   Driven robot;
-  robot.config.touched_places = 0;
+  robot.config.obstacles.places = 0;
   robot.drive(20, false);
   EXPECT_EQ(robot.drive(10, true), 0);
   EXPECT_FALSE(robot.seen().touched);

@@ -28,7 +28,7 @@ TEST_F(CanCommunicate, InFullModeOneOfTheTwoMustHaveAPath) {  // P-20
 }
 
 TEST_F(CanCommunicate, InPartialModeExactlyOneOfTheTwoMustHaveAPath) {  // P-20
-  config.sharing = Sharing::kPartial;
+  config.sharing.mode = Sharing::kPartial;
   EXPECT_FALSE(may(Mode::kExplore, Mode::kExplore));
   EXPECT_TRUE(may(Mode::kExplore, Mode::kTransport));
   EXPECT_TRUE(may(Mode::kTransport, Mode::kExplore));
@@ -36,15 +36,15 @@ TEST_F(CanCommunicate, InPartialModeExactlyOneOfTheTwoMustHaveAPath) {  // P-20
 }
 
 TEST_F(CanCommunicate, InModeNoneNobodyPairs) {  // P-20
-  config.sharing = Sharing::kNone;
+  config.sharing.mode = Sharing::kNone;
   EXPECT_FALSE(may(Mode::kExplore, Mode::kTransport));
   EXPECT_FALSE(may(Mode::kTransport, Mode::kTransport));
 }
 
 TEST_F(CanCommunicate, NobodyPairsBeforeSharingStarts) {  // P-21
-  now = config.sharing_starts - 1ns;
+  now = config.sharing.starts - 1ns;
   EXPECT_FALSE(may(Mode::kExplore, Mode::kTransport));
-  now = config.sharing_starts;
+  now = config.sharing.starts;
   EXPECT_TRUE(may(Mode::kExplore, Mode::kTransport));
 }
 
@@ -68,7 +68,7 @@ TEST(Contacts, AllowOneRejectionASecondToEachRobot) {  // P-34
 }
 
 TEST(PrivateChannel, IsDistinctForAllPairsOfAThousandRobotsAtTheDefaultChannelCount) {  // P-35
-  const std::uint32_t count = Config{}.channel_count;
+  const std::uint32_t count = Config{}.air.channel_count;
   std::vector<bool> taken(count);
   for (std::uint16_t high = 2; high <= 1000; ++high) {
     for (std::uint16_t low = 1; low < high; ++low) {

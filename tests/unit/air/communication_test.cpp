@@ -128,7 +128,7 @@ TEST_F(CommunicationTest, WaitGoesOutFirstInEveryStepEvenInASession) {  // P-1, 
 }
 
 TEST_F(CommunicationTest, WaitGoesOutOncePerWaitPeriod) {  // P-1
-  config.wait_period = 1s;
+  config.wait.period = 1s;
   Robot& three = add(3, {});
   int waits = 0;
   for (int count = 0; count < 313; ++count) {
@@ -157,7 +157,7 @@ int waits_of_a_robot(Config config, bool near, const std::function<Whereabouts(i
 }
 
 TEST_F(CommunicationTest, ARobotThatDoesNotMoveAsItToldTellsAnewWhenAnotherIsNear) {  // P-14
-  config.wait_period = 1s;
+  config.wait.period = 1s;
   // 1 m/s to and fro: it turns back every two seconds, half way between two WAITs.
   const auto to_and_fro = [](int step) {
     const int phase = (step + 16) % 126;
@@ -189,7 +189,7 @@ TEST_F(CommunicationTest, StandsStillAndIsTunedAwayOnlyWhileTheExchangeLasts) { 
 }
 
 TEST_F(CommunicationTest, NobodyPairsBeforeSharingStarts) {  // P-21
-  now = config.sharing_starts - 10 * kStep;
+  now = config.sharing.starts - 10 * kStep;
   Robot& three = add(3, straight(10));
   add(7, straight(10));
   run(9);
@@ -208,7 +208,7 @@ TEST_F(CommunicationTest, TheSamePartnerIsNotMetAgainForTenMinutes) {  // P-22
 }
 
 TEST_F(CommunicationTest, InPartialModeTheGiverReceivesNothing) {  // P-20, P-44
-  config.sharing = Sharing::kPartial;
+  config.sharing.mode = Sharing::kPartial;
   Robot& three = add(3, straight(45));
   Robot& seven = add(7, {});
   run(30);
@@ -218,7 +218,7 @@ TEST_F(CommunicationTest, InPartialModeTheGiverReceivesNothing) {  // P-20, P-44
 }
 
 TEST_F(CommunicationTest, InPartialModeARobotThatFindsItsPathMeanwhileKeepsIt) {  // P-44
-  config.sharing = Sharing::kPartial;
+  config.sharing.mode = Sharing::kPartial;
   Robot& three = add(3, straight(45));
   Robot& seven = add(7, {});
   run(2);
@@ -296,7 +296,7 @@ TEST_F(CommunicationTest, KnowsARobotIsNearAndRemembersItForAMomentWhileTunedAwa
 }
 
 TEST_F(CommunicationTest, PresenceWorksInModeNone) {  // P-1, P-4, P-20
-  config.sharing = Sharing::kNone;
+  config.sharing.mode = Sharing::kNone;
   Robot& three = add(3, straight(10));
   add(7, straight(10));
   run(100);
@@ -332,7 +332,7 @@ TEST_F(CommunicationTest, CountsForeignBytesAndIgnoresItsOwnName) {  // P-12
 }
 
 TEST_F(CommunicationTest, WorksAtTheSmallestMtu) {  // P-13
-  config.mtu_bytes = 32;
+  config.air.mtu_bytes = 32;
   Robot& three = add(3, straight(45));
   Robot& seven = add(7, straight(10));
   for (int count = 0; count < 60; ++count) {

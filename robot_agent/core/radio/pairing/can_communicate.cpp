@@ -38,7 +38,7 @@ bool Contacts::may_reject(RobotId robot, Time now) {
 
 bool can_communicate(const Config& config, const Contacts& contacts, Mode own, RobotId partner, Mode partners,
                      Time now) {
-  if (now < config.sharing_starts || !may_pair(config.sharing, own, partners)) return false;
+  if (now < config.sharing.starts || !may_pair(config.sharing.mode, own, partners)) return false;
   const Contact* contact = contacts.find(partner);
   return contact == nullptr || now >= contact->again_from;
 }

@@ -154,10 +154,10 @@ struct Pairing::Rules {
 
 Pairing::Pairing(const Config& config)
     : id_{config.id},
-      accept_period_{config.accept_period},
-      accept_attempts_{config.accept_attempts},
-      session_timer_{config.session_timer},
-      silence_{kSilence + 2 * config.wait_period} {}
+      accept_period_{config.sharing.accept_period},
+      accept_attempts_{config.sharing.accept_attempts},
+      session_timer_{config.sharing.session_timer},
+      silence_{kSilence + 2 * config.wait.period} {}
 
 Decision Pairing::advance(const State& state, const PairingEvent& event, Time now) const {
   const Rules rules{*this, now};
