@@ -37,9 +37,9 @@ struct Agent::Impl {
       : config{its_config},
         communication{config},
         driver{config},
-        neighbours{config},
-        surfaces{config},
-        unseen_obstacles{config},
+        neighbours{config.wait.period},
+        surfaces{config.surfaces, config.patience, config.obstacles.places > 0},
+        unseen_obstacles{config.obstacles, config.patience, config.body, config.smoothing.vision_radius_m},
         random{config.seed, pure::mix_all(kDrivingStream, config.id.value)},
         task{Explorer{config}} {}
 
@@ -84,11 +84,12 @@ std::optional<Perception> Agent::Impl::perceive(const Inputs& inputs, bool robot
       config.robots_are_solid && robot_last_heard && inputs.now - *robot_last_heard <= remembers;
   std::vector<Neighbour> robots;
   if (config.robots_are_solid) robots = neighbours.now(inputs.now);
-  Perception seen = agent::perceive(inputs.now, inputs.sensors, near, std::move(robots), config);
+  Perception seen =
+      agent::perceive(inputs.now, inputs.sensors, near, std::move(robots), config.sonars, config.body);
   if (seen.around.is_blind()) return std::nullopt;
   surfaces.see(seen);
   seen.surfaces = surfaces.near(seen.p_WB, seen.now);
-  if (const auto place = unseen_obstacles.feel(inputs.sensors, told, surfaces, config, seen)) {
+  if (const auto place = unseen_obstacles.feel(inputs.sensors, told, surfaces, seen)) {
     notes.add("obstacle_remembered", where(*place));
   }
   return seen;
@@ -98,11 +99,11 @@ void Agent::Impl::note_touch(const Perception& seen, bool drove_forward, Notes& 
   notes.add("touched");
   if (!drove_forward) return;
   if (!seen.touched) {
-    if (const auto place = unseen_obstacles.touch_ahead(surfaces, config, seen)) {
+    if (const auto place = unseen_obstacles.touch_ahead(surfaces, seen)) {
       notes.add("obstacle_remembered", where(*place));
     }
   }
-  surfaces.touch_ahead(seen, config);
+  surfaces.touch_ahead(seen, config.body);
 }
 
 Outputs Agent::Impl::step(const Inputs& inputs) {

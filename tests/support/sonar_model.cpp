@@ -78,13 +78,12 @@ std::array<double, agent::kSonarCount> sonar_ranges_m(std::span<const Wall> wall
   return ranges;
 }
 
-agent::Perception look(std::span<const Wall> walls, const Point& p_WB, double yaw_WB_rad,
-                       const agent::Config& config) {
+agent::Perception look(std::span<const Wall> walls, const Point& p_WB, double yaw_WB_rad) {
   agent::Sensors sensors;
-  sensors.sonar_range_m = sonar_ranges_m(walls, p_WB, yaw_WB_rad, config.sonars.range_m);
+  sensors.sonar_range_m = sonar_ranges_m(walls, p_WB, yaw_WB_rad);
   sensors.p_WB = p_WB;
   sensors.yaw_WB_rad = yaw_WB_rad;
-  return agent::perceive(agent::Time{0}, sensors, false, {}, config);
+  return agent::perceive(agent::Time{0}, sensors, false, {}, {}, {});
 }
 
 }  // namespace caravan::test

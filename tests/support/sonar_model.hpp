@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "robot_agent/core/config.hpp"
 #include "robot_agent/core/sensing/perception.hpp"
 
 namespace caravan::test {
@@ -23,8 +22,8 @@ struct Wall {
                                                                     const agent::Point& p_WB,
                                                                     double yaw_WB_rad, double range_m = 5.0);
 
-/// What a robot perceives among walls at time 0.
-[[nodiscard]] agent::Perception look(std::span<const Wall> walls, const agent::Point& p_WB, double yaw_WB_rad,
-                                     const agent::Config& config = {});
+/// What a robot, as it is by default, perceives among walls at time 0.
+[[nodiscard]] agent::Perception look(std::span<const Wall> walls, const agent::Point& p_WB,
+                                     double yaw_WB_rad);
 
 }  // namespace caravan::test

@@ -40,8 +40,7 @@ Neighbour carried_on(RobotId robot, const Whereabouts& told, Time after) {
                   after);
 }
 
-Neighbours::Neighbours(const Config& config)
-    : remembers_{std::max(kRemembers, config.wait.period + config.wait.period / 5)} {}
+Neighbours::Neighbours(Time wait_period) : remembers_{std::max(kRemembers, wait_period + wait_period / 5)} {}
 
 void Neighbours::hear(const Wait& wait, Time sent) {
   if (!wait.whereabouts) return;

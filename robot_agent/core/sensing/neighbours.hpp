@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robot_agent/core/config.hpp"
 #include "robot_agent/core/radio/frames/messages.hpp"
 
 namespace caravan::agent {
@@ -21,7 +20,8 @@ struct Neighbour {
 /// Remembers the whereabouts told in WAITs and carries them on to the present.
 class Neighbours {
  public:
-  explicit Neighbours(const Config& config);
+  /// @param wait_period  longest time between two WAITs of a robot
+  explicit Neighbours(Time wait_period);
 
   /// @param sent when it was where it says
   void hear(const Wait& wait, Time sent);

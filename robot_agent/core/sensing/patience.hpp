@@ -11,7 +11,7 @@ class Patience {
  public:
   static constexpr double kForgets_m = 1.0;
 
-  explicit Patience(Time patience) : patience_{patience} {}
+  explicit Patience(const PatienceSettings& settings) : settings_{settings} {}
   /// To be called in every step. @return true when the robot has not come on for so long; then anew
   [[nodiscard]] bool is_lost(const Perception& seen) {
     constexpr double kSomewhere_m = 0.5;
@@ -19,13 +19,13 @@ class Patience {
       got_to_ = seen.p_WB;
       got_there_ = seen.now;
     }
-    if (seen.now - got_there_ <= patience_) return false;
+    if (seen.now - got_there_ <= settings_.timeout) return false;
     got_there_ = seen.now;
     return true;
   }
 
  private:
-  Time patience_;
+  PatienceSettings settings_;
   Point got_to_{0.0, 0.0};
   Time got_there_{0};
 };

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "robot_agent/core/body.hpp"
-
 namespace caravan::agent {
 namespace {
 
@@ -15,14 +13,14 @@ constexpr double kExplainsPerMetre = 0.2;
 }  // namespace
 
 Perception perceive(Time now, const Sensors& sensors, bool robot_near, std::vector<Neighbour> robots,
-                    const Config& config) {
-  const Surroundings around{sensors, config};
+                    const Sonars& sonars, const Body& body) {
+  const Surroundings around{sensors, sonars};
   const Point ahead = direction(sensors.yaw_WB_rad);
   const Surroundings still = around.without([&](const Point& p_B) {
     const Point p_W = sensors.p_WB + p_B.x() * ahead + p_B.y() * Point{-ahead.y(), ahead.x()};
     return std::ranges::any_of(robots, [&](const Neighbour& robot) {
       const double blur = kExplains_m + kExplainsPerMetre * p_B.norm();
-      return distance_m(Pose{robot.p_WB, robot.yaw_WB_rad}, p_W, config.body) < blur;
+      return distance_m(Pose{robot.p_WB, robot.yaw_WB_rad}, p_W, body) < blur;
     });
   });
   return {now,        sensors.p_WB, sensors.yaw_WB_rad, sensors.holding,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "robot_agent/core/angle.hpp"
+#include "robot_agent/core/body.hpp"
 #include "robot_agent/core/sensing/neighbours.hpp"
 #include "robot_agent/core/sensing/surroundings.hpp"
 #include "robot_agent/core/types.hpp"
@@ -31,6 +32,6 @@ struct Perception {
 
 /// Puts one step's sensors and what was heard together. @pre position and heading are known
 [[nodiscard]] Perception perceive(Time now, const Sensors& sensors, bool robot_near,
-                                  std::vector<Neighbour> robots, const Config& config);
+                                  std::vector<Neighbour> robots, const Sonars& sonars, const Body& body);
 
 }  // namespace caravan::agent

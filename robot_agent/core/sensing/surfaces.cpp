@@ -38,10 +38,8 @@ Point turned(const Point& v_B, const Point& ahead_W) {
 
 }  // namespace
 
-Surfaces::Surfaces(const Config& config)
-    : memory_{config.surfaces.duration},
-      patience_{config.patience.timeout},
-      has_map_{memory_ > kRemembers || config.obstacles.places > 0} {}
+Surfaces::Surfaces(const SurfaceMemory& memory, const PatienceSettings& patience, bool recognises_high)
+    : memory_{memory.duration}, patience_{patience}, has_map_{memory_ > kRemembers || recognises_high} {}
 
 void Surfaces::see(const Perception& seen) {
   forget(seen);
@@ -92,10 +90,10 @@ void Surfaces::follow(std::size_t sonar, const Point& across_W, const Point& at,
   if (length > 2.0 * kShortest_m) before = {at - (kShortest_m / length) * along, now};
 }
 
-void Surfaces::touch_ahead(const Perception& seen, const Config& config) {
+void Surfaces::touch_ahead(const Perception& seen, const Body& body) {
   const Point ahead = direction(seen.yaw_WB_rad);
   for (const double part : kAcrossTheFront) {
-    const Point at_B{config.body.ahead_m + kInFront_m, part * config.body.width_m};
+    const Point at_B{body.ahead_m + kInFront_m, part * body.width_m};
     const Point at = seen.p_WB + turned(at_B, ahead);
     remember({at, seen.now});
     if (has_map_) map_.touch(at, seen.now);

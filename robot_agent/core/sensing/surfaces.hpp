@@ -16,17 +16,19 @@ namespace caravan::agent {
 /// Corners and oblique walls return no echo, but the walls that meet in a corner did so a moment before the
 /// robot came beside it, and a wall that a sonar has followed goes on for a little. So what is known of a
 /// place is more than what the sonars say at this moment. It is a belief of seconds; what lasts longer, for
-/// config.surfaces.duration, comes from a map. A robot that gets nowhere forgets what the map holds around
+/// SurfaceMemory::duration, comes from a map. A robot that gets nowhere forgets what the map holds around
 /// it.
 class Surfaces {
  public:
-  explicit Surfaces(const Config& config);
+  /// @param recognises_high  is_high() is asked for
+  Surfaces(const SurfaceMemory& memory, const PatienceSettings& patience, bool recognises_high);
   /// Takes in what the sonars see now. What lies where a robot has told to be is forgotten: it was that
   /// robot.
   void see(const Perception& seen);
   /// The robot drove forward and did not come forward: something unseen is in front of it.
-  void touch_ahead(const Perception& seen, const Config& config);
+  void touch_ahead(const Perception& seen, const Body& body);
   /// True when something near this place is as high as the sonars: they saw it from close by.
+  /// @pre recognises_high
   [[nodiscard]] bool is_high(const Point& at_W) const { return map_.is_high(at_W); }
   /// Places in W within reach of a body that drives and brakes.
   [[nodiscard]] std::vector<Point> near(const Point& p_WB, Time now) const;

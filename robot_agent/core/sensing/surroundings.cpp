@@ -57,13 +57,14 @@ double enters_strip_m(const Point& a, const Point& b, double half_width_m, doubl
 
 }  // namespace
 
-Surroundings::Surroundings(const Sensors& sensors, const Config& config)
-    : fan_rad_{kOutermostFrontSonar + 0.5 * config.sonars.aperture_rad} {
+Surroundings::Surroundings(const Sensors& sensors, const Sonars& sonars)
+    : fan_rad_{kOutermostFrontSonar + 0.5 * sonars.aperture_rad},
+      cone_per_metre_{std::tan(0.5 * sonars.aperture_rad)} {
   for (std::size_t i = 0; i < kSonarCount; ++i) {
     const double range = sensors.sonar_range_m[i];
     if (sensors.sonar_age_s[i] > kOldest_s) continue;
     if (i < 8 && !std::isnan(range)) blind_ = false;
-    if (!(range >= 0.0 && range < config.sonars.range_m)) continue;
+    if (!(range >= 0.0 && range < sonars.range_m)) continue;
     const Axis& axis = axes()[i];
     echoes_[count_++] = {axis.p_B + range * axis.along, {-axis.along.y(), axis.along.x()}, range, i};
   }

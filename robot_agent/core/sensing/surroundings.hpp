@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "robot_agent/core/config.hpp"
+#include "robot_agent/core/sensing/settings.hpp"
 #include "robot_agent/core/types.hpp"
 
 namespace caravan::agent {
@@ -35,7 +35,7 @@ struct Echo {
 /// surfaces at more than the reflection angle and corners return none, so free space here is a belief.
 class Surroundings {
  public:
-  Surroundings(const Sensors& sensors, const Config& config);
+  Surroundings(const Sensors& sensors, const Sonars& sonars);
 
   /// The same without the echoes at places (frame B) for which `is_of_a_robot` holds: what is left is no
   /// robot that told where it is.
@@ -60,6 +60,8 @@ class Surroundings {
   [[nodiscard]] double clearance_m(const Corridor& corridor) const;
   /// True when the bearing lies in the gapless fan of the six front sonars.
   [[nodiscard]] bool in_front_fan(double bearing_rad) const;
+  /// How much further a surface can reach across a sonar's axis for each metre of range: half its cone.
+  [[nodiscard]] double cone_per_metre() const { return cone_per_metre_; }
   /// True when no front sonar works: the robot cannot drive.
   [[nodiscard]] bool is_blind() const { return blind_; }
 
@@ -70,6 +72,7 @@ class Surroundings {
   double margin_m_ = 0.0;
   bool blind_ = true;
   double fan_rad_;
+  double cone_per_metre_;
 };
 
 }  // namespace caravan::agent

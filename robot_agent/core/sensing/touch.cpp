@@ -18,23 +18,23 @@ constexpr double kSlowest_mps = 0.08;  // slower wheels say nothing
 
 }  // namespace
 
-double TouchSensor::speed_mps(std::size_t wheel, std::size_t before, const Config& config) const {
+double TouchSensor::speed_mps(std::size_t wheel, std::size_t before, double wheel_radius_m) const {
   const Sample& late = samples_[before];
   const Sample& early = samples_[before + kNow];
   const double seconds = std::chrono::duration<double>(late.at - early.at).count();
-  return config.body.wheel_radius_m * (late.angle_rad[wheel] - early.angle_rad[wheel]) / seconds;
+  return wheel_radius_m * (late.angle_rad[wheel] - early.angle_rad[wheel]) / seconds;
 }
 
-bool TouchSensor::has_lost_speed(std::size_t wheel, const Config& config) const {
+bool TouchSensor::has_lost_speed(std::size_t wheel, double wheel_radius_m) const {
   const double sign = samples_[0].told_mps[wheel] < 0.0 ? -1.0 : 1.0;
   double kept = std::abs(samples_[0].told_mps[wheel]);
   for (const Sample& sample : samples_) kept = std::min(kept, sign * sample.told_mps[wheel]);
   if (kept < kSlowest_mps) return false;
   double reached = 0.0;
   for (std::size_t i = 1; i + kNow < samples_.size(); ++i) {
-    reached = std::max(reached, sign * speed_mps(wheel, i, config));
+    reached = std::max(reached, sign * speed_mps(wheel, i, wheel_radius_m));
   }
-  return reached >= kReached * kept && sign * speed_mps(wheel, 0, config) < kLost * kept;
+  return reached >= kReached * kept && sign * speed_mps(wheel, 0, wheel_radius_m) < kLost * kept;
 }
 
 bool TouchSensor::is_gapless() const {
@@ -46,28 +46,29 @@ bool TouchSensor::is_gapless() const {
 }
 
 std::optional<Touch> TouchSensor::update(Time now, const Sensors& sensors, const Wheels& told,
-                                         const Config& config) {
+                                         const Body& body) {
   std::shift_right(samples_.begin(), samples_.end(), 1);
   samples_[0] = {now, {sensors.left_wheel_rad, sensors.right_wheel_rad}, {told.left_mps, told.right_mps}};
   count_ = std::min(count_ + 1, samples_.size());
   if (count_ < samples_.size() || !is_gapless() || now - last_touch_ < kSameTouch) return std::nullopt;
-  const bool left = has_lost_speed(0, config);
-  const bool right = has_lost_speed(1, config);
+  const bool left = has_lost_speed(0, body.wheel_radius_m);
+  const bool right = has_lost_speed(1, body.wheel_radius_m);
   if (!left && !right) return std::nullopt;
   last_touch_ = now;
-  const double rear = config.body.ahead_m - config.body.length_m;
-  const double side = 0.5 * config.body.width_m;
+  const double rear = body.ahead_m - body.length_m;
+  const double side = 0.5 * body.width_m;
   // Which wheel is slowed does not tell the side: a face met at more than 45 degrees turns the robot away
   // from it.
   if (told.left_mps * told.right_mps > 0.0) {
     const bool forward = told.left_mps > 0.0;
-    return Touch{{forward ? config.body.ahead_m : rear, 0.0}, {forward ? 1.0 : -1.0, 0.0}, side};
+    return Touch{{forward ? body.ahead_m : rear, 0.0}, {forward ? 1.0 : -1.0, 0.0}, side};
   }
   // It turns: what a rear corner meets pushes the base forward, what a front corner meets backward.
-  const double pushed = speed_mps(0, 0, config) + speed_mps(1, 0, config) - told.left_mps - told.right_mps;
+  const double pushed = speed_mps(0, 0, body.wheel_radius_m) + speed_mps(1, 0, body.wheel_radius_m) -
+                        told.left_mps - told.right_mps;
   if (std::abs(pushed) < 2.0 * kPushed_mps) return std::nullopt;
   const double to_the_left = (told.right_mps > told.left_mps) == (pushed < 0.0) ? 1.0 : -1.0;
-  return Touch{{pushed > 0.0 ? rear : config.body.ahead_m, to_the_left * side}, {0.0, to_the_left}};
+  return Touch{{pushed > 0.0 ? rear : body.ahead_m, to_the_left * side}, {0.0, to_the_left}};
 }
 
 }  // namespace caravan::agent

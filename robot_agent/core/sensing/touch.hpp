@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "robot_agent/core/config.hpp"
+#include "robot_agent/core/body.hpp"
 #include "robot_agent/core/types.hpp"
 
 namespace caravan::agent {
@@ -29,7 +29,7 @@ class TouchSensor {
   /// @param told  the rim speeds of the step before
   /// @return once for each touch
   [[nodiscard]] std::optional<Touch> update(Time now, const Sensors& sensors, const Wheels& told,
-                                            const Config& config);
+                                            const Body& body);
 
  private:
   struct Sample {
@@ -38,9 +38,9 @@ class TouchSensor {
     std::array<double, 2> told_mps{};
   };
   /// Rim speed of a wheel as its angle tells, so many steps before now.
-  [[nodiscard]] double speed_mps(std::size_t wheel, std::size_t before, const Config& config) const;
+  [[nodiscard]] double speed_mps(std::size_t wheel, std::size_t before, double wheel_radius_m) const;
   [[nodiscard]] bool is_gapless() const;
-  [[nodiscard]] bool has_lost_speed(std::size_t wheel, const Config& config) const;
+  [[nodiscard]] bool has_lost_speed(std::size_t wheel, double wheel_radius_m) const;
   std::array<Sample, 8> samples_{};  // the latest first
   std::size_t count_ = 0;
   Time last_touch_{-std::chrono::hours{1}};

@@ -15,8 +15,8 @@ bool within(const Point& a, const Point& b, double distance_m) {
 
 }  // namespace
 
-bool TouchedPlaces::add(const Point& at_W, const Point& towards_W, const Config& config) {
-  const Place place{at_W, at_W + config.obstacles.margin_m * towards_W};
+bool TouchedPlaces::add(const Point& at_W, const Point& towards_W) {
+  const Place place{at_W, at_W + memory_.margin_m * towards_W};
   const auto known =
       std::ranges::find_if(places_, [&](const Place& one) { return within(one.at, at_W, kSamePlace_m); });
   if (known != places_.end()) {
@@ -24,15 +24,14 @@ bool TouchedPlaces::add(const Point& at_W, const Point& towards_W, const Config&
     places_.back() = place;
     return false;
   }
-  if (places_.size() >= config.obstacles.places) places_.erase(places_.begin());
+  if (places_.size() >= memory_.places) places_.erase(places_.begin());
   places_.push_back(place);
   return true;
 }
 
-void TouchedPlaces::stand_on(const Pose& pose, const Config& config) {
-  std::erase_if(places_, [&](const Place& place) {
-    return signed_distance_m(pose, place.at, config.body) < -kStandsOn_m;
-  });
+void TouchedPlaces::stand_on(const Pose& pose, const Body& body) {
+  std::erase_if(places_,
+                [&](const Place& place) { return signed_distance_m(pose, place.at, body) < -kStandsOn_m; });
 }
 
 void TouchedPlaces::forget_around(const Point& p_W, double radius_m) {

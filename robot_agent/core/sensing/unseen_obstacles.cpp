@@ -25,61 +25,59 @@ std::vector<Point> in_base_frame(const std::vector<Point>& places_W, const Perce
 
 }  // namespace
 
-bool UnseenObstacles::is_explained(const Touch& touch, const Surfaces& surfaces, const Config& config,
-                                   const Perception& seen) {
+bool UnseenObstacles::is_explained(const Touch& touch, const Surfaces& surfaces,
+                                   const Perception& seen) const {
   if (seen.robot_near && seen.robots.empty()) return true;
   const Point beside_B{-touch.towards_B.y(), touch.towards_B.x()};
   return std::ranges::any_of(std::array{-1.0, 0.0, 1.0}, [&](double side) {
     const Point at_B = touch.at_B + side * touch.either_side_m * beside_B;
     const Point at_W = seen.p_WB + turned(at_B, seen.yaw_WB_rad);
     const bool robot = std::ranges::any_of(seen.robots, [&](const Neighbour& one) {
-      return distance_m(Pose{one.p_WB, one.yaw_WB_rad}, at_W, config.body) < kRobot_m;
+      return distance_m(Pose{one.p_WB, one.yaw_WB_rad}, at_W, body_) < kRobot_m;
     });
     return robot || surfaces.is_high(at_W);
   });
 }
 
 std::optional<Point> UnseenObstacles::feel(const Sensors& sensors, const Wheels& told,
-                                           const Surfaces& surfaces, const Config& config, Perception& seen) {
-  if (config.obstacles.places == 0) return std::nullopt;
+                                           const Surfaces& surfaces, Perception& seen) {
+  if (memory_.places == 0) return std::nullopt;
   std::optional<Point> is_new;
-  if (const auto touch = sensor_.update(seen.now, sensors, told, config)) {
+  if (const auto touch = sensor_.update(seen.now, sensors, told, body_)) {
     const Point at = seen.p_WB + turned(touch->at_B, seen.yaw_WB_rad);
-    seen.touched = !is_explained(*touch, surfaces, config, seen);
-    if (seen.touched && places_.add(at, turned(touch->towards_B, seen.yaw_WB_rad), config)) is_new = at;
+    seen.touched = !is_explained(*touch, surfaces, seen);
+    if (seen.touched && places_.add(at, turned(touch->towards_B, seen.yaw_WB_rad))) is_new = at;
   }
-  if (const auto place = expect(surfaces, config, seen)) is_new = place;
+  if (const auto place = expect(surfaces, seen)) is_new = place;
   if (patience_.is_lost(seen)) places_.forget_around(seen.p_WB, Patience::kForgets_m);
   if (places_.empty()) return is_new;
   places_.forget_if(
       [&](const Point& at) { return seen.distance_to(at) < kSeesNow_m && surfaces.is_high(at); });
-  places_.stand_on({seen.p_WB, seen.yaw_WB_rad}, config);
+  places_.stand_on({seen.p_WB, seen.yaw_WB_rad}, body_);
   for (const Point& at : places_.at(seen.p_WB, kReach_m)) seen.surfaces.push_back(at);
-  seen.touched_W = places_.middles(seen.p_WB, config.smoothing.vision_radius_m);
+  seen.touched_W = places_.middles(seen.p_WB, vision_radius_m_);
   const std::vector<Point> middles_B = in_base_frame(seen.touched_W, seen);
-  seen.still.add_touched(middles_B, config.obstacles.margin_m);
-  seen.around.add_touched(middles_B, config.obstacles.margin_m);
+  seen.still.add_touched(middles_B, memory_.margin_m);
+  seen.around.add_touched(middles_B, memory_.margin_m);
   return is_new;
 }
 
 /// The place of what is ahead and lower than the sonars, if it is new.
-std::optional<Point> UnseenObstacles::expect(const Surfaces& surfaces, const Config& config,
-                                             const Perception& seen) {
+std::optional<Point> UnseenObstacles::expect(const Surfaces& surfaces, const Perception& seen) {
   const auto ahead_m = vanishing_.update(seen);
   if (!ahead_m) return std::nullopt;
   const Point ahead = direction(seen.yaw_WB_rad);
   const Point at = seen.p_WB + *ahead_m * ahead;
-  if (surfaces.is_high(at) || !places_.add(at, ahead, config)) return std::nullopt;
+  if (surfaces.is_high(at) || !places_.add(at, ahead)) return std::nullopt;
   return at;
 }
 
-std::optional<Point> UnseenObstacles::touch_ahead(const Surfaces& surfaces, const Config& config,
-                                                  const Perception& seen) {
-  if (config.obstacles.places == 0) return std::nullopt;
-  const Touch touch{{config.body.ahead_m, 0.0}, {1.0, 0.0}, 0.5 * config.body.width_m};
+std::optional<Point> UnseenObstacles::touch_ahead(const Surfaces& surfaces, const Perception& seen) {
+  if (memory_.places == 0) return std::nullopt;
+  const Touch touch{{body_.ahead_m, 0.0}, {1.0, 0.0}, 0.5 * body_.width_m};
   const Point ahead = direction(seen.yaw_WB_rad);
-  const Point at = seen.p_WB + config.body.ahead_m * ahead;
-  if (is_explained(touch, surfaces, config, seen) || !places_.add(at, ahead, config)) return std::nullopt;
+  const Point at = seen.p_WB + body_.ahead_m * ahead;
+  if (is_explained(touch, surfaces, seen) || !places_.add(at, ahead)) return std::nullopt;
   return at;
 }
 

@@ -14,25 +14,33 @@ namespace caravan::agent {
 ///
 /// What is touched is no such obstacle when a robot is there, when one is heard that does not tell where it
 /// is, or when the sonars saw something there from close by: the corner of something high. Where they do so
-/// later, the place is forgotten. A robot that gets nowhere for config.patience.timeout forgets what it
-/// touched around it: places that are wrong cannot hold it for longer.
+/// later, the place is forgotten. A robot that gets nowhere for PatienceSettings::timeout forgets
+/// what it touched around it: places that are wrong cannot hold it for longer.
 class UnseenObstacles {
  public:
-  explicit UnseenObstacles(const Config& config) : patience_{config.patience.timeout} {}
+  /// @param vision_radius_m  what lies within it is planned round
+  UnseenObstacles(const ObstacleMemory& memory, const PatienceSettings& patience, const Body& body,
+                  double vision_radius_m)
+      : memory_{memory},
+        body_{body},
+        vision_radius_m_{vision_radius_m},
+        places_{memory},
+        patience_{patience} {}
 
   /// To be called in every step; completes `seen`.
   /// @param told  what the wheels were told in the step before
   /// @return the place that is new, frame W
   std::optional<Point> feel(const Sensors& sensors, const Wheels& told, const Surfaces& surfaces,
-                            const Config& config, Perception& seen);
+                            Perception& seen);
   /// The robot drove forward and came no further. @return the place that is new, frame W
-  std::optional<Point> touch_ahead(const Surfaces& surfaces, const Config& config, const Perception& seen);
+  std::optional<Point> touch_ahead(const Surfaces& surfaces, const Perception& seen);
 
  private:
-  [[nodiscard]] static bool is_explained(const Touch& touch, const Surfaces& surfaces, const Config& config,
-                                         const Perception& seen);
-  [[nodiscard]] std::optional<Point> expect(const Surfaces& surfaces, const Config& config,
-                                            const Perception& seen);
+  [[nodiscard]] bool is_explained(const Touch& touch, const Surfaces& surfaces, const Perception& seen) const;
+  [[nodiscard]] std::optional<Point> expect(const Surfaces& surfaces, const Perception& seen);
+  ObstacleMemory memory_;
+  Body body_;
+  double vision_radius_m_;
   TouchSensor sensor_;
   VanishingEcho vanishing_;
   TouchedPlaces places_;

@@ -52,7 +52,7 @@ TEST(Driver, AnEchoAheadWithAWaitIsARobotAndBothTurnSlightlyLeft) {
   const Config config;
   Driver driver{config};
   pure::Random random{1};
-  Perception seen = look(kAhead, {0, 0}, 0.0, config);
+  Perception seen = look(kAhead, {0, 0}, 0.0);
   seen.robot_near = true;
   EXPECT_EQ(driver.drive_to({5, 0}, seen, random).obstruction, Obstruction::kRobot);
   const Motion motion = driver.drive_to({5, 0}, seen, random);
@@ -64,9 +64,8 @@ TEST(Driver, TheSameEchoWithoutAWaitIsAnObstacleAtTheShorterDistance) {
   const Config config;
   Driver driver{config};
   pure::Random random{1};
-  EXPECT_EQ(driver.drive_to({5, 0}, look(kAhead, {0, 0}, 0.0, config), random).obstruction,
-            Obstruction::kNone);
-  EXPECT_EQ(driver.drive_to({5, 0}, look(kNearAhead, {0, 0}, 0.0, config), random).obstruction,
+  EXPECT_EQ(driver.drive_to({5, 0}, look(kAhead, {0, 0}, 0.0), random).obstruction, Obstruction::kNone);
+  EXPECT_EQ(driver.drive_to({5, 0}, look(kNearAhead, {0, 0}, 0.0), random).obstruction,
             Obstruction::kObstacle);
 }
 

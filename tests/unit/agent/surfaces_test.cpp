@@ -20,23 +20,16 @@ constexpr Time kStep = 32ms;
 /// What a robot sees at a time and place, among walls and robots that tell where they are.
 Perception look(std::span<const Wall> walls, Time now, const Point& p_WB, double yaw_rad,
                 std::vector<Neighbour> robots = {}) {
-  const Config config;
   Sensors sensors;
-  sensors.sonar_range_m = test::sonar_ranges_m(walls, p_WB, yaw_rad, config.sonars.range_m);
+  sensors.sonar_range_m = test::sonar_ranges_m(walls, p_WB, yaw_rad);
   sensors.p_WB = p_WB;
   sensors.yaw_WB_rad = yaw_rad;
   const bool near = !robots.empty();
-  return perceive(now, sensors, near, std::move(robots), config);
+  return perceive(now, sensors, near, std::move(robots), {}, {});
 }
 
-/// A robot that remembers for no longer than it must.
-Config short_memory() {
-  Config config;
-  config.surfaces.duration = 20s;
-  config.obstacles.places = 0;
-  return config;
-}
-const Config kShort = short_memory();
+/// Of a robot that remembers for no longer than it must.
+Surfaces short_memory() { return {SurfaceMemory{.duration = 20s}, {}, false}; }
 
 double nearest_m(const std::vector<Point>& places, const Point& to) {
   double nearest = 1e9;
@@ -53,7 +46,7 @@ Time drive_along(Surfaces& surfaces, std::span<const Wall> walls) {
 const std::vector<Wall> kCorner = {{{-1.0, 0.3}, {1.0, 0.3}}, {{1.0, 0.3}, {1.0, 1.5}}};
 
 TEST(Surfaces, RememberTheCornerThatNoSonarSeesAnyMore) {
-  Surfaces surfaces{kShort};
+  Surfaces surfaces = short_memory();
   const Time then = drive_along(surfaces, kCorner);
   const Point corner{1.0, 0.3};
   const Perception now = look(kCorner, then, {1.25, 0.0}, 0.8);
@@ -64,7 +57,7 @@ TEST(Surfaces, RememberTheCornerThatNoSonarSeesAnyMore) {
 }
 
 TEST(Surfaces, ForgetAfterAWhile) {
-  Surfaces surfaces{kShort};
+  Surfaces surfaces = short_memory();
   const Time then = drive_along(surfaces, kCorner);
   surfaces.see(look({}, then + 15s, {1.2, 0.0}, 0.0));
   EXPECT_FALSE(surfaces.near({1.2, 0.0}, then + 15s).empty());
@@ -73,9 +66,7 @@ TEST(Surfaces, ForgetAfterAWhile) {
 }
 
 TEST(Surfaces, RememberForAsLongAsTheyAreToldWhereverTheRobotHasBeen) {
-  Config config;
-  config.surfaces.duration = 300s;
-  Surfaces surfaces{config};
+  Surfaces surfaces{SurfaceMemory{.duration = 300s}, {}, true};
   const Time then = drive_along(surfaces, kCorner);
   surfaces.see(look({}, then + 200s, {40.0, 0.0}, 0.0));
   surfaces.see(look({}, then + 290s, {1.25, 0.0}, 0.8));
@@ -85,7 +76,7 @@ TEST(Surfaces, RememberForAsLongAsTheyAreToldWhereverTheRobotHasBeen) {
 }
 
 TEST(Surfaces, HoldNobodyForLongWhoGetsNowhere) {
-  Surfaces surfaces{Config{}};
+  Surfaces surfaces{{}, {}, true};
   const Time then = drive_along(surfaces, kCorner);
   const Time back = then + 100s;
   surfaces.see(look({}, then + 50s, {20.0, 0.0}, 0.0));
@@ -97,14 +88,14 @@ TEST(Surfaces, HoldNobodyForLongWhoGetsNowhere) {
 }
 
 TEST(Surfaces, AreRememberedLongWhereTheyWereTouched) {
-  Surfaces surfaces{Config{}};
+  Surfaces surfaces{{}, {}, true};
   surfaces.touch_ahead(look({}, 0s, {2.0, 1.0}, 0.5 * kPi), {});
   surfaces.see(look({}, 100s, {20.0, 1.0}, 0.0));
   EXPECT_LT(nearest_m(surfaces.near({2.0, 1.0}, 200s), {2.0, 1.22}), 0.01);
 }
 
 TEST(Surfaces, AreHighWhereTheyWereSeenFromCloseBy) {
-  Surfaces surfaces{Config{}};
+  Surfaces surfaces{{}, {}, true};
   const std::vector<Wall> wall = {{{1.0, -1.0}, {1.0, 1.0}}};
   surfaces.see(look(wall, 0s, {0.2, 0.0}, 0.0));
   EXPECT_FALSE(surfaces.is_high({1.0, 0.0})) << "something low would look the same from here";
@@ -126,7 +117,7 @@ TEST(Surfaces, OfAMapAreBounded) {
 
 TEST(Surfaces, ExpectAWallToGoOnWhileASonarFollowsIt) {
   const std::vector<Wall> oblique = {{{-2.0, 0.5}, {2.0, 0.1}}};  // comes nearer by 0.1 m in each metre
-  Surfaces surfaces{kShort};
+  Surfaces surfaces = short_memory();
   Time now{0};
   for (double x = -0.3; x <= 0.0; x += 0.03, now += kStep) surfaces.see(look(oblique, now, {x, 0.0}, 0.0));
   const std::vector<Point> places = surfaces.near({0.0, 0.0}, now);
@@ -138,7 +129,7 @@ TEST(Surfaces, ExpectAWallToGoOnWhileASonarFollowsIt) {
 
 TEST(Surfaces, AreNeitherRobotsThatTellWhereTheyAreNorAnythingBesideSilentOnes) {
   const std::vector<Wall> body = test::rectangle({0.7, 0.0}, 0.485, 0.381, 0.5 * kPi);
-  Surfaces surfaces{kShort};
+  Surfaces surfaces = short_memory();
   surfaces.see(look(body, 0s, {0, 0}, 0.0, {{RobotId{7}, {0.7, 0.04}, 0.5 * kPi, 0.0, 0.0}}));
   EXPECT_TRUE(surfaces.near({0, 0}, 0s).empty()) << "it says that it is there";
 
@@ -154,7 +145,7 @@ TEST(Surfaces, AreNeitherRobotsThatTellWhereTheyAreNorAnythingBesideSilentOnes) 
 }
 
 TEST(Surfaces, RememberWhatWasTouched) {
-  Surfaces surfaces{kShort};
+  Surfaces surfaces = short_memory();
   surfaces.touch_ahead(look({}, 0s, {2.0, 1.0}, 0.5 * kPi), {});
   EXPECT_LT(nearest_m(surfaces.near({2.0, 1.0}, 0s), {2.0, 1.22}), 0.01);
   EXPECT_LT(nearest_m(surfaces.near({2.0, 1.0}, 0s), {2.19, 1.22}), 0.01);

@@ -16,9 +16,9 @@ class Wheelwork {
     for (int i = 0; i < steps; ++i) {
       now_ += kStep;
       const double seconds = std::chrono::duration<double>(kStep).count();
-      sensors_.left_wheel_rad += seconds * turning.left_mps / config_.body.wheel_radius_m;
-      sensors_.right_wheel_rad += seconds * turning.right_mps / config_.body.wheel_radius_m;
-      const auto touch = sensor_.update(now_, sensors_, told, config_);
+      sensors_.left_wheel_rad += seconds * turning.left_mps / body_.wheel_radius_m;
+      sensors_.right_wheel_rad += seconds * turning.right_mps / body_.wheel_radius_m;
+      const auto touch = sensor_.update(now_, sensors_, told, body_);
       if (touch) ++touches_;
       if (touch && !first) first = touch;
     }
@@ -27,7 +27,7 @@ class Wheelwork {
   [[nodiscard]] int touches() const { return touches_; }
 
  private:
-  Config config_;
+  Body body_;
   TouchSensor sensor_;
   Sensors sensors_;
   Time now_{0};
@@ -104,14 +104,14 @@ TEST(TouchSensor, FeelsNothingInWheelsThatAreHeldFromTheStart) {
 
 TEST(TouchSensor, FeelsNothingInFramesThatAreRareAndLate) {
   TouchSensor sensor;
-  const Config config;
+  const Body body;
   Sensors sensors;
   Time now{0};
   for (int i = 0; i < 200; ++i) {
     const Time late{i % 3 == 0 ? 60'000'000 : 0};  // of 10 frames a second, told at arrival
     now = i * Time{100'000'000} + late;
-    sensors.left_wheel_rad = sensors.right_wheel_rad = 0.06 * i / config.body.wheel_radius_m;
-    EXPECT_FALSE(sensor.update(now, sensors, {0.6, 0.6}, config));
+    sensors.left_wheel_rad = sensors.right_wheel_rad = 0.06 * i / body.wheel_radius_m;
+    EXPECT_FALSE(sensor.update(now, sensors, {0.6, 0.6}, body));
   }
 }
 
@@ -119,7 +119,7 @@ TEST(TouchSensor, FeelsNothingInWheelsWhoseAnglesAreNotKnown) {
   TouchSensor sensor;
   Sensors sensors;
   sensors.left_wheel_rad = sensors.right_wheel_rad = std::numeric_limits<double>::quiet_NaN();
-  for (int i = 1; i < 40; ++i) EXPECT_FALSE(sensor.update(i * kStep, sensors, {0.9, 0.9}, Config{}));
+  for (int i = 1; i < 40; ++i) EXPECT_FALSE(sensor.update(i * kStep, sensors, {0.9, 0.9}, Body{}));
 }
 
 }  // namespace

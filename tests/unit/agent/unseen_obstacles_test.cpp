@@ -20,9 +20,10 @@ constexpr Time kStep = 32ms;
 /// A robot that drives east in the open and is stopped where a test says.
 class Driven {
  public:
-  Config config;
-  Surfaces surfaces{Config{}};
-  UnseenObstacles obstacles{Config{}};
+  explicit Driven(const ObstacleMemory& memory = {}) : obstacles{memory, {}, {}, 6.0} {}
+
+  Surfaces surfaces{{}, {}, true};
+  UnseenObstacles obstacles;
   std::vector<Neighbour> robots;
   bool heard = false;
   double gps_noise_m = 0.0;
@@ -36,7 +37,7 @@ class Driven {
     for (int i = 0; i < steps; ++i) {
       now_ += kStep;
       if (!stopped) p_WB_.x() += 0.029;
-      if (!stopped) angle_rad_ += 0.029 / config.body.wheel_radius_m;
+      if (!stopped) angle_rad_ += 0.029 / Body{}.wheel_radius_m;
       news += look(kDrives) ? 1 : 0;
     }
     return news;
@@ -52,9 +53,9 @@ class Driven {
     if (std::isfinite(beside_m)) sensors.sonar_range_m[0] = beside_m;
     sensors.p_WB = p_WB_ + Point{random_.uniform(-gps_noise_m, gps_noise_m), 0.0};
     sensors.left_wheel_rad = sensors.right_wheel_rad = angle_rad_;
-    seen_ = perceive(now_, sensors, heard || !robots.empty(), robots, config);
+    seen_ = perceive(now_, sensors, heard || !robots.empty(), robots, {}, {});
     surfaces.see(*seen_);
-    return obstacles.feel(sensors, told, surfaces, config, *seen_);
+    return obstacles.feel(sensors, told, surfaces, *seen_);
   }
   void stand_at(const Point& p_WB, Time after = kStep) {
     p_WB_ = p_WB;
@@ -81,15 +82,15 @@ TEST(UnseenObstacles, AreRememberedAndPlannedRoundForTheWholeRun) {
   robot.stand_at({-1.5, 0.0}, std::chrono::hours{2});
   const Perception& seen = robot.seen();
   ASSERT_EQ(seen.touched_W.size(), 1U);
-  EXPECT_NEAR((seen.touched_W[0] - front).norm(), robot.config.obstacles.margin_m, 1e-9);
-  EXPECT_NEAR(free_ahead_m(seen.around, robot.config), front.x() + 1.5 - 0.2, 1e-9);
-  EXPECT_NEAR(free_ahead_m(seen.still, robot.config), front.x() + 1.5 - 0.2, 1e-9);
-  EXPECT_FALSE(is_reachable(seen, {2.5, 0.0}, robot.config)) << "no shortcut leads through it";
-  EXPECT_TRUE(is_reachable(seen, {0.5, 1.8}, robot.config));
+  EXPECT_NEAR((seen.touched_W[0] - front).norm(), ObstacleMemory{}.margin_m, 1e-9);
+  EXPECT_NEAR(free_ahead_m(seen.around, {}), front.x() + 1.5 - 0.2, 1e-9);
+  EXPECT_NEAR(free_ahead_m(seen.still, {}), front.x() + 1.5 - 0.2, 1e-9);
+  EXPECT_FALSE(is_reachable(seen, {2.5, 0.0}, {})) << "no shortcut leads through it";
+  EXPECT_TRUE(is_reachable(seen, {0.5, 1.8}, {}));
   robot.stand_at(front - Point{0.8, 0.0});
   pure::Random random{1, 1};
   for (int i = 0; i < 200; ++i) {
-    const Point next = new_location_to_explore(robot.seen(), robot.config, random);
+    const Point next = new_location_to_explore(robot.seen(), {}, random);
     EXPECT_GT(std::abs(robot.seen().bearing_to(next)), 0.3);
   }
   robot.stand_at(front - Point{0.5, 0.0});
@@ -152,8 +153,8 @@ TEST(UnseenObstacles, AreKnownBeforeTheyAreTouchedByTheEchoThatVanishes) {
     robot.vanishes_m = vanishes;
     EXPECT_EQ(robot.drive(70, false), 1);
     ASSERT_THAT(robot.seen().touched_W, testing::SizeIs(1));
-    EXPECT_NEAR(robot.seen().touched_W[0].x() - robot.config.obstacles.margin_m, 2.5, 0.05);
-    EXPECT_LT(free_ahead_m(robot.seen().around, robot.config), 0.5) << "what drives takes it for an echo";
+    EXPECT_NEAR(robot.seen().touched_W[0].x() - ObstacleMemory{}.margin_m, 2.5, 0.05);
+    EXPECT_LT(free_ahead_m(robot.seen().around, {}), 0.5) << "what drives takes it for an echo";
   }
 }
 
@@ -196,7 +197,7 @@ TEST(UnseenObstacles, HoldNobodyForLong) {
   robot.drive(20, false);
   ASSERT_EQ(robot.drive(4, true), 1);  // an operator held it
   const Point there = robot.seen().p_WB;
-  for (Time waited{0}; waited < robot.config.patience.timeout - 1s; waited += 1s) robot.stand_at(there, 1s);
+  for (Time waited{0}; waited < PatienceSettings{}.timeout - 1s; waited += 1s) robot.stand_at(there, 1s);
   EXPECT_THAT(robot.seen().touched_W, testing::SizeIs(1));
   robot.stand_at(there, 2s);
   robot.stand_at(there, 1s);
@@ -204,23 +205,20 @@ TEST(UnseenObstacles, HoldNobodyForLong) {
 }
 
 TEST(UnseenObstacles, AreBoundedAndTheOldestGoes) {
-  Config config;
-  config.obstacles.places = 3;
-  TouchedPlaces places;
-  for (int i = 0; i < 10; ++i) EXPECT_TRUE(places.add({1.0 * i, 0.0}, {1.0, 0.0}, config));
-  EXPECT_FALSE(places.add({7.0, 0.0}, {1.0, 0.0}, config)) << "known";
-  EXPECT_TRUE(places.add({20.0, 0.0}, {1.0, 0.0}, config));
+  TouchedPlaces places{ObstacleMemory{.places = 3}};
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(places.add({1.0 * i, 0.0}, {1.0, 0.0}));
+  EXPECT_FALSE(places.add({7.0, 0.0}, {1.0, 0.0})) << "known";
+  EXPECT_TRUE(places.add({20.0, 0.0}, {1.0, 0.0}));
   EXPECT_THAT(places.at({10.0, 0.0}, 100.0),
               testing::ElementsAre(Point{9.0, 0.0}, Point{7.0, 0.0}, Point{20.0, 0.0}));
 }
 
 TEST(UnseenObstacles, AreOffWithoutPlaces) {
-  Driven robot;
-  robot.config.obstacles.places = 0;
+  Driven robot{ObstacleMemory{.places = 0}};
   robot.drive(20, false);
   EXPECT_EQ(robot.drive(10, true), 0);
   EXPECT_FALSE(robot.seen().touched);
-  EXPECT_FALSE(robot.obstacles.touch_ahead(robot.surfaces, robot.config, robot.seen()));
+  EXPECT_FALSE(robot.obstacles.touch_ahead(robot.surfaces, robot.seen()));
 }
 
 }  // namespace
