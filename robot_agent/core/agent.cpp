@@ -36,12 +36,12 @@ struct Agent::Impl {
   explicit Impl(const Config& its_config)
       : config{its_config},
         communication{config},
-        driver{config},
+        driver{{config.body, config.driving, config.meeting, config.keep_clear, config.passage}},
         neighbours{config.wait.period},
         surfaces{config.surfaces, config.patience, config.obstacles.places > 0},
         unseen_obstacles{config.obstacles, config.patience, config.body, config.smoothing.vision_radius_m},
         random{config.seed, pure::mix_all(kDrivingStream, config.id.value)},
-        task{Explorer{config}} {}
+        task{Explorer{{config.task, config.exploration, config.recording, config.passage, config.body}}} {}
 
   Outputs step(const Inputs& inputs);
   [[nodiscard]] const Path& own_path() const;
@@ -168,7 +168,10 @@ void Agent::Impl::begin_carrying(Path path, Origin from, const Point& p_WB, Note
   origin = from;
   notes.path_changed = true;
   notes.add(from == Origin::kFound ? "found_path" : "received_path", in_detail("length_m", length_m(path)));
-  task = Carrier{config, std::move(path), p_WB};
+  task = Carrier{{config.task, config.smoothing, config.recording, config.exploration, config.passage,
+                  config.obstacles, config.body},
+                 std::move(path),
+                 p_WB};
 }
 
 void Agent::Impl::report(const Motion& motion, AirOutputs& air, Notes& notes, Outputs& outputs) {

@@ -34,7 +34,7 @@ class Floor {
   explicit Floor(std::uint64_t seed) : random_{seed} {}
 
   void add(const Point& at, double yaw_rad, const Point& goal) {
-    robots_.push_back({Driver{config_}, Neighbours{Time{0}}, {at, yaw_rad}, {}, goal});
+    robots_.push_back({Driver{DriverSettings{}}, Neighbours{Time{0}}, {at, yaw_rad}, {}, goal});
   }
   void step() {
     const std::vector<Robot> before = robots_;
@@ -42,7 +42,7 @@ class Floor {
     now_ += std::chrono::milliseconds{32};
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        nearest_m_ = std::min(nearest_m_, distance_m(robots_[i].body, robots_[j].body, config_.body));
+        nearest_m_ = std::min(nearest_m_, distance_m(robots_[i].body, robots_[j].body, body_));
       }
     }
   }
@@ -71,9 +71,8 @@ class Floor {
     for (std::size_t j = 0; j < before.size(); ++j) {
       if (j == i) continue;
       const Pose& other = before[j].body;
-      const Point centre =
-          other.p_WB + (config_.body.ahead_m - 0.5 * config_.body.length_m) * direction(other.yaw_WB_rad);
-      const auto sides = rectangle(centre, config_.body.length_m, config_.body.width_m, other.yaw_WB_rad);
+      const Point centre = other.p_WB + (body_.ahead_m - 0.5 * body_.length_m) * direction(other.yaw_WB_rad);
+      const auto sides = rectangle(centre, body_.length_m, body_.width_m, other.yaw_WB_rad);
       walls.insert(walls.end(), sides.begin(), sides.end());
       if ((other.p_WB - robot.body.p_WB).norm() <= kRadioRange_m) near = true;
     }
@@ -81,8 +80,7 @@ class Floor {
     sensors.p_WB = robot.body.p_WB;
     sensors.yaw_WB_rad = wrapped(robot.body.yaw_WB_rad);
     sensors.sonar_range_m = test::sonar_ranges_m(walls, sensors.p_WB, sensors.yaw_WB_rad);
-    const Perception seen =
-        perceive(now_, sensors, near, robot.neighbours.now(now_), config_.sonars, config_.body);
+    const Perception seen = perceive(now_, sensors, near, robot.neighbours.now(now_), {}, body_);
     const Motion motion = robot.driver.drive_to(robot.goal, seen, random_);
     hear(i, before);
     move(robot, motion.wheels);
@@ -103,7 +101,7 @@ class Floor {
     }
   }
   void move(Robot& robot, const Wheels& wheels) const {
-    const Twist wanted = twist_of(wheels, config_);
+    const Twist wanted = twist_of(wheels, body_.track_m);
     Twist& now = robot.twist;
     now.linear_mps += std::clamp(wanted.linear_mps - now.linear_mps, -4.1 * kStep_s, 4.1 * kStep_s);
     now.angular_radps +=
@@ -112,7 +110,7 @@ class Floor {
     robot.body.p_WB += kStep_s * now.linear_mps * direction(robot.body.yaw_WB_rad);
   }
 
-  Config config_;
+  Body body_;
   pure::Random random_;
   std::vector<Robot> robots_;
   Time now_{0};

@@ -15,7 +15,7 @@ constexpr double kRoom_m = 0.9;  // free distance from the base that a direction
 
 double clearance_m(const Encounter& encounter, double bearing_rad) {
   return encounter.seen.still.clearance_m({.bearing_rad = bearing_rad,
-                                           .half_width_m = 0.5 * encounter.config.passage.corridor_m,
+                                           .half_width_m = 0.5 * encounter.corridor_m,
                                            .surface_m = 0.0,
                                            .surface_per_metre = 0.2});
 }
@@ -32,8 +32,7 @@ double clearance_among_robots_m(const Encounter& encounter, double bearing_rad) 
     const double ahead = apart.dot(along);
     const double distance = apart.norm();
     if (distance < kClose_m && ahead > kApproaches * distance) return 0.0;
-    if (ahead <= 0.0 || std::abs(cross(along, apart)) > 0.5 * encounter.config.passage.corridor_m + kRobot_m)
-      continue;
+    if (ahead <= 0.0 || std::abs(cross(along, apart)) > 0.5 * encounter.corridor_m + kRobot_m) continue;
     nearest = std::min(nearest, std::max(0.0, ahead - kRobot_m));
   }
   return nearest;
@@ -55,7 +54,7 @@ Manoeuvre veer(const Encounter& encounter) {
   const double side = encounter.meeting->passes_m > kClearlyLeft_m ? -1.0 : 1.0;
   const double angle = encounter.goal_bearing_rad + side * (0.55 + 0.15 * encounter.draw);
   if (clearance_m(encounter, angle) < kRoom_m) return let_pass(encounter);
-  return {Veer{turned_by(encounter, angle).yaw_WB_rad, 0.7, 0.6 * encounter.config.driving.cruise_mps}};
+  return {Veer{turned_by(encounter, angle).yaw_WB_rad, 0.7}};
 }
 
 }  // namespace

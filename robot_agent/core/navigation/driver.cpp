@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "robot_agent/core/navigation/keep_clear.hpp"
 #include "robot_agent/core/navigation/steering.hpp"
 
 namespace caravan::agent {
@@ -35,7 +34,7 @@ Perception without_surfaces(Perception seen) {
 
 }  // namespace
 
-Driver::Driver(const Config& config) : config_{config} {}
+Driver::Driver(const DriverSettings& settings) : settings_{settings} {}
 
 Motion Driver::stand(Activity activity, Time now) {
   monitor_.reset();
@@ -60,8 +59,7 @@ int Driver::attempts_at(const Perception& seen) {
 Motion Driver::drive_to(const Point& goal_W, const Perception& seen, pure::Random& random) {
   Motion motion = approach(goal_W, seen, random);
   const auto [allowed, surface_near] =
-      is_hopeless(seen) ? keep_clear(motion.wheels, twist_, without_surfaces(seen), config_)
-                        : keep_clear(motion.wheels, twist_, seen, config_);
+      is_hopeless(seen) ? allow(motion.wheels, without_surfaces(seen)) : allow(motion.wheels, seen);
   if (is_held(motion.wheels, allowed, seen.now)) {
     held_since_.reset();
     if (auto* manoeuvring = std::get_if<Manoeuvring>(&state_)) {
@@ -81,9 +79,13 @@ Motion Driver::drive_to(const Point& goal_W, const Perception& seen, pure::Rando
   return motion;
 }
 
+Allowed Driver::allow(const Wheels& wanted, const Perception& seen) const {
+  return keep_clear(wanted, twist_, seen, settings_.keep_clear, settings_.driving, settings_.body);
+}
+
 void Driver::tell(const Wheels& wheels, Time now) {
   const double passed = std::chrono::duration<double>(std::min(now - told_, kLongestStep)).count();
-  twist_ = approaching(twist_, twist_of(last_wheels_, config_), passed);
+  twist_ = approaching(twist_, twist_of(last_wheels_, settings_.body.track_m), passed);
   last_wheels_ = wheels;
   told_ = now;
 }
@@ -101,18 +103,18 @@ bool Driver::is_held(const Wheels& wanted, const Wheels& allowed, Time now) {
 
 void Driver::meet(const std::optional<Meeting>& meeting, const Point& goal_W, const Perception& seen,
                   pure::Random& random) {
-  const Encounter encounter{seen,          config_,           seen.bearing_to(goal_W),
-                            random.unit(), attempts_at(seen), meeting};
+  const Encounter encounter{
+      seen, settings_.passage.corridor_m, seen.bearing_to(goal_W), random.unit(), attempts_at(seen), meeting};
   state_ = Manoeuvring{Performance{turn_slightly_left(encounter)}};
 }
 
 void Driver::free(const Point& goal_W, const Perception& seen, int attempt, pure::Random& random) {
-  state_ =
-      Manoeuvring{Performance{free_itself({seen, config_, seen.bearing_to(goal_W), random.unit(), attempt})}};
+  state_ = Manoeuvring{Performance{
+      free_itself({seen, settings_.passage.corridor_m, seen.bearing_to(goal_W), random.unit(), attempt})}};
 }
 
 Motion Driver::approach(const Point& goal_W, const Perception& seen, pure::Random& random) {
-  const bool stuck = monitor_.update(seen, last_wheels_, config_) || seen.touched;
+  const bool stuck = monitor_.update(seen, last_wheels_, settings_.body.track_m) || seen.touched;
   auto* manoeuvring = std::get_if<Manoeuvring>(&state_);
   if (stuck && manoeuvring && last_wheels_.left_mps < 0.0 && last_wheels_.right_mps < 0.0) {
     manoeuvring->performance.skip();  // behind it is something as well: no more backing off
@@ -122,7 +124,7 @@ Motion Driver::approach(const Point& goal_W, const Perception& seen, pure::Rando
     return {{}, Activity::kAvoiding, Obstruction::kTouch, drove_forward};
   }
   if (manoeuvring) {
-    if (const auto wheels = manoeuvring->performance.step(seen, config_)) {
+    if (const auto wheels = manoeuvring->performance.step(seen, settings_.driving, settings_.body)) {
       return {*wheels, Activity::kAvoiding, Obstruction::kNone};
     }
     state_ = Steering{};
@@ -131,32 +133,35 @@ Motion Driver::approach(const Point& goal_W, const Perception& seen, pure::Rando
 }
 
 Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& random) {
+  const Body& body = settings_.body;
+  const Driving& driving = settings_.driving;
+  const MeetingRule& rule = settings_.meeting;
   const double bearing = seen.bearing_to(goal_W);
-  const auto [ahead, closing] = view_.update(seen, free_ahead_m(seen.around, config_));
+  const auto [ahead, closing] = view_.update(seen, free_ahead_m(seen.around, body));
   const bool facing = std::abs(bearing) < kFacing_rad;
-  const bool in_the_way =
-      ahead < config_.driving.too_close_m || (ahead < config_.meeting.echo_m && closing > kComes_mps);
+  const bool in_the_way = ahead < driving.too_close_m || (ahead < rule.echo_m && closing > kComes_mps);
   const bool somebody = seen.robot_near && seen.robots.empty();  // who has not told where it is
   const auto meeting =
-      facing ? find_meeting(bearing, config_.driving.cruise_mps, seen, config_) : std::nullopt;
+      facing ? find_meeting({bearing, driving.cruise_mps}, seen, body, settings_.keep_clear.robots_m)
+             : std::nullopt;
   if (meeting || (facing && somebody && in_the_way)) {
     meet(meeting, goal_W, seen, random);
     return {{}, Activity::kAvoiding, Obstruction::kRobot};
   }
   // Something beyond the goal is not in the way.
-  const double needed = std::min(config_.driving.too_close_m, std::max(0.15, seen.distance_to(goal_W)));
-  if (facing && free_ahead_m(seen.still, config_) < needed) {
+  const double needed = std::min(driving.too_close_m, std::max(0.15, seen.distance_to(goal_W)));
+  if (facing && free_ahead_m(seen.still, body) < needed) {
     return {{}, Activity::kAvoiding, Obstruction::kObstacle};
   }
-  const double leaning = facing ? bearing + turn_from_surfaces_rad(seen, config_) : bearing;
-  return {steer_to(leaning, speed_for(ahead, config_), config_), Activity::kDriving, Obstruction::kNone};
+  const double leaning = facing ? bearing + turn_from_surfaces_rad(seen, body) : bearing;
+  return {steer_to(leaning, speed_for(ahead, driving), body), Activity::kDriving, Obstruction::kNone};
 }
 
 void Driver::go_round_towards(const Point& goal_W, const Perception& seen, pure::Random& random) {
   // The same side again while it is the same obstacle.
   const int attempt = attempts_at(seen) / 4;
-  state_ =
-      Manoeuvring{Performance{go_round({seen, config_, seen.bearing_to(goal_W), random.unit(), attempt})}};
+  state_ = Manoeuvring{Performance{
+      go_round({seen, settings_.passage.corridor_m, seen.bearing_to(goal_W), random.unit(), attempt})}};
 }
 
 void Driver::back_off() { state_ = Manoeuvring{Performance{{Go{-kBacksOff_m}}}}; }

@@ -5,6 +5,7 @@
 
 #include "robot_agent/core/navigation/avoidance.hpp"
 #include "robot_agent/core/navigation/forward_view.hpp"
+#include "robot_agent/core/navigation/keep_clear.hpp"
 #include "robot_agent/core/navigation/stuck.hpp"
 #include "robot_agent/core/navigation/twist.hpp"
 #include "runtime/pure/random.hpp"
@@ -26,6 +27,15 @@ struct Motion {
   bool drove_forward = false;  ///< with kTouch: what it touches is in front of it
 };
 
+/// What a Driver goes by.
+struct DriverSettings {
+  Body body;
+  Driving driving;
+  MeetingRule meeting;
+  KeepClear keep_clear;
+  Passage passage;
+};
+
 /// Brings the robot to a goal past what is in the way.
 ///
 ///   state       | way free | robot ahead        | obstacle ahead        | does not move      | manoeuvre over
@@ -37,7 +47,7 @@ struct Motion {
 /// reason; Manoeuvring (free) and kObstacle, when a surface is.
 class Driver {
  public:
-  explicit Driver(const Config& config);
+  explicit Driver(const DriverSettings& settings);
 
   [[nodiscard]] Motion drive_to(const Point& goal_W, const Perception& seen, pure::Random& random);
   /// Goes round the obstacle between the robot and the goal; to be called after kObstacle.
@@ -63,12 +73,13 @@ class Driver {
   void meet(const std::optional<Meeting>& meeting, const Point& goal_W, const Perception& seen,
             pure::Random& random);
   void free(const Point& goal_W, const Perception& seen, int attempt, pure::Random& random);
+  [[nodiscard]] Allowed allow(const Wheels& wanted, const Perception& seen) const;
   void tell(const Wheels& wheels, Time now);
   [[nodiscard]] bool is_held(const Wheels& wanted, const Wheels& allowed, Time now);
   [[nodiscard]] bool is_hopeless(const Perception& seen) const;
   [[nodiscard]] int attempts_at(const Perception& seen);
 
-  Config config_;
+  DriverSettings settings_;
   std::variant<Steering, Manoeuvring> state_;
   StuckMonitor monitor_;
   ForwardView view_;

@@ -14,15 +14,16 @@ constexpr double kRoomToTurn_m = 0.5;
 
 }  // namespace
 
-Point new_location_to_explore(const Perception& seen, const Config& config, pure::Random& random) {
-  const double wanted = config.exploration.step_m + config.body.ahead_m + kRoomToTurn_m;
-  double spread = config.exploration.spread_rad;
+Point new_location_to_explore(const Perception& seen, const Exploration& exploration, const Passage& passage,
+                              const Body& body, pure::Random& random) {
+  const double wanted = exploration.step_m + body.ahead_m + kRoomToTurn_m;
+  double spread = exploration.spread_rad;
   double best_bearing = 0.0;
   double best_clearance = -1.0;
   for (int draw = 0; draw < kDraws; ++draw) {
     const double bearing = random.uniform(-spread, spread);
     const double clearance = seen.around.clearance_m({.bearing_rad = bearing,
-                                                      .half_width_m = 0.5 * config.passage.corridor_m,
+                                                      .half_width_m = 0.5 * passage.corridor_m,
                                                       .surface_m = 0.2,
                                                       .surface_per_metre = 0.3});
     if (clearance > best_clearance) {
@@ -32,7 +33,7 @@ Point new_location_to_explore(const Perception& seen, const Config& config, pure
     if (clearance >= wanted) break;
     spread = std::min(spread * kWidening, std::numbers::pi);
   }
-  return seen.p_WB + config.exploration.step_m * direction(seen.yaw_WB_rad + best_bearing);
+  return seen.p_WB + exploration.step_m * direction(seen.yaw_WB_rad + best_bearing);
 }
 
 }  // namespace caravan::agent

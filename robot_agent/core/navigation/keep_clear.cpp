@@ -27,19 +27,19 @@ constexpr double kInside_m = 0.05;    // a surface deeper inside the body than t
 
 using Trajectory = std::array<Pose, kMoments>;
 
-/// The poses of a body whose wheels are told to change its twist, then to stop.
-Trajectory predicted_trajectory(Pose body, Twist now, const Twist& told) {
+/// The poses of a robot whose wheels are told to change its twist, then to stop.
+Trajectory predicted_trajectory(Pose pose, Twist now, const Twist& told) {
   Trajectory trajectory;
   double seconds = 0.0;
   for (Pose& there : trajectory) {
     const Twist then = approaching(now, seconds < kLasts_s ? told : Twist{}, kMoment_s);
     const double turned = 0.5 * kMoment_s * (now.angular_radps + then.angular_radps);
-    body.p_WB +=
-        0.5 * kMoment_s * (now.linear_mps + then.linear_mps) * direction(body.yaw_WB_rad + 0.5 * turned);
-    body.yaw_WB_rad += turned;
+    pose.p_WB +=
+        0.5 * kMoment_s * (now.linear_mps + then.linear_mps) * direction(pose.yaw_WB_rad + 0.5 * turned);
+    pose.yaw_WB_rad += turned;
     now = then;
     seconds += kMoment_s;
-    there = body;
+    there = pose;
   }
   return trajectory;
 }
@@ -50,35 +50,36 @@ struct Spacing {
   double bodies_m = 0.0;
 };
 
-Spacing spacing(const Pose& one, const Pose& other, double swept_m, const Config& config) {
+Spacing spacing(const Pose& one, const Pose& other, double swept_m, const KeepClear& settings,
+                const Body& body) {
   const double axles = (one.p_WB - other.p_WB).norm();
   const double apart = axles - 2.0 * swept_m;  // of the circles in which the bodies turn
-  return {axles, apart > config.keep_clear.robots_m ? apart : distance_m(one, other, config.body)};
+  return {axles, apart > settings.robots_m ? apart : distance_m(one, other, body)};
 }
 
 /// The robots that matter, where they will be, and the surfaces near by.
 class Scene {
  public:
-  Scene(const Perception& seen, const Twist& now, const Config& config)
+  Scene(const Perception& seen, const Twist& now, const KeepClear& settings, const Body& body)
       : self_{seen.p_WB, seen.yaw_WB_rad},
         now_{now},
-        config_{config},
-        swept_m_{std::hypot(std::max(config.body.ahead_m, config.body.length_m - config.body.ahead_m),
-                            0.5 * config.body.width_m)} {
+        settings_{settings},
+        body_{body},
+        swept_m_{std::hypot(std::max(body.ahead_m, body.length_m - body.ahead_m), 0.5 * body.width_m)} {
     for (const Neighbour& robot : seen.robots) {
       if (seen.distance_to(robot.p_WB) > kConcerns_m) continue;
-      const Pose body{robot.p_WB, robot.yaw_WB_rad};
+      const Pose there{robot.p_WB, robot.yaw_WB_rad};
       const Twist moves{robot.speed_mps, robot.turn_radps};
-      const Spacing spaced = spacing(self_, body, swept_m_, config_);
-      const double keeps = config_.keep_clear.robots_m;
+      const Spacing spaced = spacing(self_, there, swept_m_, settings_, body_);
+      const double keeps = settings_.robots_m;
       const double turns = 2.0 * swept_m_ + keeps;
       const Spacing wanted{std::min(turns, spaced.axles_m),
                            spaced.bodies_m < keeps ? kMayLose * spaced.bodies_m : keeps};
-      others_.push_back({wanted, predicted_trajectory(body, moves, moves)});
+      others_.push_back({wanted, predicted_trajectory(there, moves, moves)});
     }
     double nearest = kFromSurfaces_m;
     for (const Point& at : seen.surfaces) {
-      const double apart = signed_distance_m(self_, at, config_.body);
+      const double apart = signed_distance_m(self_, at, body_);
       if (apart <= -kInside_m) continue;
       nearest = std::min(nearest, apart);
       surfaces_.push_back({at, std::min(kFromSurfaces_m, apart > 0.0 ? kMayLose * apart : apart)});
@@ -95,7 +96,7 @@ class Scene {
     const Trajectory trajectory = predicted_trajectory(self_, now_, twist);
     for (const Other& other : others_) {
       for (std::size_t i = 0; i < kMoments; ++i) {
-        const Spacing there = spacing(trajectory[i], other.trajectory[i], swept_m_, config_);
+        const Spacing there = spacing(trajectory[i], other.trajectory[i], swept_m_, settings_, body_);
         most = std::max({most, other.wanted.axles_m - there.axles_m,
                          kBodiesMatter * (other.wanted.bodies_m - there.bodies_m)});
       }
@@ -117,18 +118,19 @@ class Scene {
   };
   Pose self_;
   Twist now_;
-  const Config& config_;
+  const KeepClear& settings_;
+  const Body& body_;
   double swept_m_;
   std::vector<Other> others_;
   std::vector<Surface> surfaces_;
 
   [[nodiscard]] double too_near_to_surfaces_m(const Trajectory& trajectory) const {
     double most = 0.0;
-    for (const Pose& body : trajectory) {
+    for (const Pose& pose : trajectory) {
       for (const Surface& surface : surfaces_) {
         const double reach = swept_m_ + surface.wanted_m;
-        if ((surface.at - body.p_WB).squaredNorm() > reach * reach) continue;
-        const double violation = surface.wanted_m - signed_distance_m(body, surface.at, config_.body);
+        if ((surface.at - pose.p_WB).squaredNorm() > reach * reach) continue;
+        const double violation = surface.wanted_m - signed_distance_m(pose, surface.at, body_);
         most = std::max(most, kBodiesMatter * violation);
       }
     }
@@ -143,8 +145,7 @@ struct Candidate {
 
 /// Other twists, the most alike first. Of two alike the one further to the left: that is the rule for
 /// meetings.
-std::vector<Candidate> candidates(const Twist& wanted, const Config& config) {
-  const double slow = config.driving.slow_mps;
+std::vector<Candidate> candidates(const Twist& wanted, double slow) {
   const std::array<double, 6> speeds = {wanted.linear_mps, 0.6 * wanted.linear_mps, slow, 0.5 * slow, 0.0,
                                         -0.5 * slow};
   const std::array<double, 8> turns = {wanted.angular_radps, 0.0, 0.7, -0.7, 1.4, -1.4, 2.5, -2.5};
@@ -164,34 +165,35 @@ std::vector<Candidate> candidates(const Twist& wanted, const Config& config) {
   return result;
 }
 
-bool has_room(const Twist& twist, const Perception& seen, const Config& config) {
+bool has_room(const Twist& twist, const Perception& seen, const Body& body) {
   if (twist.linear_mps > 0.0) {
-    return free_alongside_m(seen.still, config, std::clamp(0.3 * twist.angular_radps, -0.5, 0.5)) > kRoom_m;
+    return free_alongside_m(seen.still, body, std::clamp(0.3 * twist.angular_radps, -0.5, 0.5)) > kRoom_m;
   }
-  return twist.linear_mps == 0.0 || free_behind_m(seen.still, config) > kRoom_m;
+  return twist.linear_mps == 0.0 || free_behind_m(seen.still, body) > kRoom_m;
 }
 
 }  // namespace
 
-Allowed keep_clear(const Wheels& wanted, const Twist& now, const Perception& seen, const Config& config) {
-  const Scene scene{seen, now, config};
+Allowed keep_clear(const Wheels& wanted, const Twist& now, const Perception& seen, const KeepClear& settings,
+                   const Driving& driving, const Body& body) {
+  const Scene scene{seen, now, settings, body};
   if (scene.is_empty()) return {wanted};
-  const Twist twist = twist_of(wanted, config);
+  const Twist twist = twist_of(wanted, body.track_m);
   double least = scene.violation_m(twist);
   if (least <= kNothing_m) return {wanted};
   const bool surface = scene.comes_near_a_surface(twist);
   Twist best{};
   least = scene.violation_m(best);
-  for (const Candidate& candidate : candidates(twist, config)) {
-    if (!has_room(candidate.twist, seen, config)) continue;
+  for (const Candidate& candidate : candidates(twist, driving.slow_mps)) {
+    if (!has_room(candidate.twist, seen, body)) continue;
     const double violation = scene.violation_m(candidate.twist);
     if (violation <= kNothing_m)
-      return {wheels_for(candidate.twist.linear_mps, candidate.twist.angular_radps, config), surface};
+      return {wheels_for(candidate.twist.linear_mps, candidate.twist.angular_radps, body), surface};
     if (violation >= least) continue;
     least = violation;
     best = candidate.twist;
   }
-  return {wheels_for(best.linear_mps, best.angular_radps, config), surface};
+  return {wheels_for(best.linear_mps, best.angular_radps, body), surface};
 }
 
 }  // namespace caravan::agent

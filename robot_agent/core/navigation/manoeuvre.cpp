@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "robot_agent/core/navigation/steering.hpp"
+#include "runtime/pure/overload.hpp"
 
 namespace caravan::agent {
 namespace {
@@ -20,7 +21,7 @@ constexpr Time kMostForALeg = 4s;
 
 }  // namespace
 
-std::optional<Wheels> Performance::step(const Perception& seen, const Config& config) {
+std::optional<Wheels> Performance::step(const Perception& seen, const Driving& driving, const Body& body) {
   while (current_ < legs_.size()) {
     if (!begun_) {
       begun_ = true;
@@ -30,7 +31,11 @@ std::optional<Wheels> Performance::step(const Perception& seen, const Config& co
     }
     std::optional<Wheels> wheels;
     if (seen.now < leg_gives_up_) {
-      wheels = std::visit([&](const auto& leg) { return perform(leg, seen, config); }, legs_[current_]);
+      wheels = std::visit(pure::Overload{[&](const TurnTo& leg) { return perform(leg, seen, body); },
+                                         [&](const Go& leg) { return perform(leg, seen, driving, body); },
+                                         [&](const Veer& leg) { return perform(leg, seen, driving, body); },
+                                         [&](const Pause& leg) { return perform(leg, seen.now); }},
+                          legs_[current_]);
     }
     if (wheels) return wheels;
     skip();
@@ -44,35 +49,34 @@ void Performance::skip() {
 }
 
 std::optional<Wheels> Performance::perform(const TurnTo& leg, const Perception& seen,
-                                           const Config& config) const {
+                                           const Body& body) const {
   const double error = wrapped(leg.yaw_WB_rad - seen.yaw_WB_rad);
   if (std::abs(error) < kFacing_rad) return std::nullopt;
-  return turn_to(error, config);
+  return turn_to(error, body);
 }
 
-std::optional<Wheels> Performance::perform(const Go& leg, const Perception& seen,
-                                           const Config& config) const {
+std::optional<Wheels> Performance::perform(const Go& leg, const Perception& seen, const Driving& driving,
+                                           const Body& body) const {
   if (seen.distance_to(leg_began_at_) >= std::abs(leg.distance_m)) return std::nullopt;
   if (leg.distance_m < 0.0) {
-    if (free_behind_m(seen.around, config) < kTooNearBehind_m) return std::nullopt;
-    return wheels_for(-kBackwards_mps, 0.0, config);
+    if (free_behind_m(seen.around, body) < kTooNearBehind_m) return std::nullopt;
+    return wheels_for(-kBackwards_mps, 0.0, body);
   }
-  const double ahead = free_alongside_m(seen.around, config);
+  const double ahead = free_alongside_m(seen.around, body);
   if (ahead < kTooNearAhead_m) return std::nullopt;
-  return wheels_for(
-      std::max(config.driving.slow_mps, std::min(0.6 * config.driving.cruise_mps, speed_for(ahead, config))),
-      0.0, config);
+  return wheels_for(std::max(driving.slow_mps, std::min(0.6 * driving.cruise_mps, speed_for(ahead, driving))),
+                    0.0, body);
 }
 
-std::optional<Wheels> Performance::perform(const Veer& leg, const Perception& seen,
-                                           const Config& config) const {
+std::optional<Wheels> Performance::perform(const Veer& leg, const Perception& seen, const Driving& driving,
+                                           const Body& body) const {
   if (seen.distance_to(leg_began_at_) >= leg.distance_m) return std::nullopt;
-  if (free_alongside_m(seen.still, config) < kTooNearAhead_m) return std::nullopt;
-  return steer_to(wrapped(leg.yaw_WB_rad - seen.yaw_WB_rad), leg.speed_mps, config);
+  if (free_alongside_m(seen.still, body) < kTooNearAhead_m) return std::nullopt;
+  return steer_to(wrapped(leg.yaw_WB_rad - seen.yaw_WB_rad), 0.6 * driving.cruise_mps, body);
 }
 
-std::optional<Wheels> Performance::perform(const Pause& leg, const Perception& seen, const Config&) const {
-  if (seen.now - leg_began_ >= leg.duration) return std::nullopt;
+std::optional<Wheels> Performance::perform(const Pause& leg, Time now) const {
+  if (now - leg_began_ >= leg.duration) return std::nullopt;
   return Wheels{};
 }
 

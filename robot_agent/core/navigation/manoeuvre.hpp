@@ -5,7 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "robot_agent/core/config.hpp"
+#include "robot_agent/core/body.hpp"
+#include "robot_agent/core/navigation/settings.hpp"
 #include "robot_agent/core/sensing/perception.hpp"
 
 namespace caravan::agent {
@@ -22,7 +23,6 @@ struct Go {
 struct Veer {
   double yaw_WB_rad = 0.0;
   double distance_m = 0.0;
-  double speed_mps = 0.0;
 };
 /// Stand.
 struct Pause {
@@ -39,19 +39,18 @@ class Performance {
   explicit Performance(Manoeuvre legs) : legs_{std::move(legs)} {}
 
   /// What the wheels do now; nothing: the manoeuvre is over.
-  [[nodiscard]] std::optional<Wheels> step(const Perception& seen, const Config& config);
+  [[nodiscard]] std::optional<Wheels> step(const Perception& seen, const Driving& driving, const Body& body);
   /// Leaves the current leg: it cannot be done.
   void skip();
 
  private:
   [[nodiscard]] std::optional<Wheels> perform(const TurnTo& leg, const Perception& seen,
-                                              const Config& config) const;
-  [[nodiscard]] std::optional<Wheels> perform(const Go& leg, const Perception& seen,
-                                              const Config& config) const;
-  [[nodiscard]] std::optional<Wheels> perform(const Veer& leg, const Perception& seen,
-                                              const Config& config) const;
-  [[nodiscard]] std::optional<Wheels> perform(const Pause& leg, const Perception& seen,
-                                              const Config& config) const;
+                                              const Body& body) const;
+  [[nodiscard]] std::optional<Wheels> perform(const Go& leg, const Perception& seen, const Driving& driving,
+                                              const Body& body) const;
+  [[nodiscard]] std::optional<Wheels> perform(const Veer& leg, const Perception& seen, const Driving& driving,
+                                              const Body& body) const;
+  [[nodiscard]] std::optional<Wheels> perform(const Pause& leg, Time now) const;
   Manoeuvre legs_;
   std::size_t current_ = 0;
   bool begun_ = false;  // the current leg

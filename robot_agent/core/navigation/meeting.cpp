@@ -14,20 +14,20 @@ constexpr double kSoon_s = 2.5;
 
 }  // namespace
 
-std::optional<Meeting> find_meeting(double bearing_rad, double speed_mps, const Perception& seen,
-                                    const Config& config) {
-  const Point driving = direction(seen.yaw_WB_rad + bearing_rad);
-  const double body = std::hypot(0.5 * config.body.length_m, 0.5 * config.body.width_m);
-  const double wide = 0.5 * config.body.width_m + body + config.keep_clear.robots_m;
+std::optional<Meeting> find_meeting(const Course& course, const Perception& seen, const Body& body,
+                                    double keep_clear_m) {
+  const Point driving = direction(seen.yaw_WB_rad + course.bearing_rad);
+  const double half_diagonal = std::hypot(0.5 * body.length_m, 0.5 * body.width_m);
+  const double wide = 0.5 * body.width_m + half_diagonal + keep_clear_m;
   std::optional<Meeting> first;
   double first_s = kSoon_s;
   for (const Neighbour& robot : seen.robots) {
     const Point apart = robot.p_WB - seen.p_WB;
-    if (std::abs(wrapped(angle_of(apart) - seen.yaw_WB_rad - bearing_rad)) > kAhead_rad) continue;
+    if (std::abs(wrapped(angle_of(apart) - seen.yaw_WB_rad - course.bearing_rad)) > kAhead_rad) continue;
     const Point theirs = robot.speed_mps * direction(robot.yaw_WB_rad);
     const bool stands = std::abs(robot.speed_mps) < kStands_mps;
     if (!stands && theirs.dot(driving) > kComes * std::abs(robot.speed_mps)) continue;
-    const Point closing = speed_mps * driving - theirs;
+    const Point closing = course.speed_mps * driving - theirs;
     const double passes = cross(closing, apart) / closing.norm();
     if (std::abs(passes) > wide) continue;
     const double in_s = apart.dot(closing) / closing.squaredNorm();

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "robot_agent/core/config.hpp"
+#include "robot_agent/core/body.hpp"
 #include "robot_agent/core/sensing/perception.hpp"
 
 namespace caravan::agent {
@@ -11,13 +11,23 @@ namespace caravan::agent {
 /// A robot that has told where it is and that this one is about to run into.
 struct Meeting {
   Neighbour with;
-  /// How far off it will pass, positive on the left, when both go on as they do. Both robots find the same.
+  /// Distance at the closest point of approach when both keep their velocities, positive: it passes on the
+  /// left. Both robots find the same.
   double passes_m = 0.0;
 };
 
-/// The robot nearest in time that comes towards this one or stands in its way, when it drives towards a
-/// bearing (frame B). One that drives ahead in the same direction, or crosses, is not met: it is let go.
-[[nodiscard]] std::optional<Meeting> find_meeting(double bearing_rad, double speed_mps,
-                                                  const Perception& seen, const Config& config);
+/// Where this robot wants to drive, frame B, and how fast.
+struct Course {
+  double bearing_rad = 0.0;
+  double speed_mps = 0.0;
+};
+
+/// The robot with the earliest closest point of approach of those that come towards this one, or stand in its
+/// way, and would pass too near. One that drives ahead in the same direction, or crosses, is not met: it is
+/// let go.
+///
+/// @param keep_clear_m  between the bodies
+[[nodiscard]] std::optional<Meeting> find_meeting(const Course& course, const Perception& seen,
+                                                  const Body& body, double keep_clear_m);
 
 }  // namespace caravan::agent

@@ -3,15 +3,16 @@
 
 namespace caravan::agent {
 
-std::optional<Point> sees_destination(const Perception& seen, const Config& config) {
-  const double distance = seen.distance_to(config.task.destination);
-  if (distance > config.exploration.detection_radius_m) return std::nullopt;
-  const Corridor line_of_sight{.bearing_rad = seen.bearing_to(config.task.destination),
-                               .half_width_m = 0.5 * config.passage.corridor_m,
+std::optional<Point> sees_destination(const Perception& seen, const Task& task,
+                                      const Exploration& exploration, const Passage& passage) {
+  const double distance = seen.distance_to(task.destination);
+  if (distance > exploration.detection_radius_m) return std::nullopt;
+  const Corridor line_of_sight{.bearing_rad = seen.bearing_to(task.destination),
+                               .half_width_m = 0.5 * passage.corridor_m,
                                .surface_m = 0.1,
                                .surface_per_metre = 0.2};
   if (seen.around.clearance_m(line_of_sight) < distance) return std::nullopt;
-  return config.task.destination;
+  return task.destination;
 }
 
 }  // namespace caravan::agent

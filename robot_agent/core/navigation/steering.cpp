@@ -20,53 +20,52 @@ double turn_rate(double bearing_rad) {
   return std::clamp(kTurnGain * bearing_rad, -kMostTurn_radps, kMostTurn_radps);
 }
 
-Corridor beside_the_body(const Config& config, double bearing_rad, double beyond_m) {
+Corridor beside_the_body(const Surroundings& around, const Body& body, double bearing_rad, double beyond_m) {
   return {.bearing_rad = bearing_rad,
-          .half_width_m = 0.5 * config.body.width_m + kBesideBody_m,
+          .half_width_m = 0.5 * body.width_m + kBesideBody_m,
           .surface_m = 0.0,
-          .surface_per_metre = std::tan(0.5 * config.sonars.aperture_rad),
+          .surface_per_metre = around.cone_per_metre(),
           .beyond_m = beyond_m};
 }
 
 }  // namespace
 
-Wheels wheels_for(double speed_mps, double turn_radps, const Config& config) {
-  const double difference = 0.5 * turn_radps * config.body.track_m;
+Wheels wheels_for(double speed_mps, double turn_radps, const Body& body) {
+  const double difference = 0.5 * turn_radps * body.track_m;
   Wheels wheels{speed_mps - difference, speed_mps + difference};
   const double fastest = std::max(std::abs(wheels.left_mps), std::abs(wheels.right_mps));
-  if (fastest > config.body.wheel_limit_mps) {
-    wheels.left_mps *= config.body.wheel_limit_mps / fastest;
-    wheels.right_mps *= config.body.wheel_limit_mps / fastest;
+  if (fastest > body.wheel_limit_mps) {
+    wheels.left_mps *= body.wheel_limit_mps / fastest;
+    wheels.right_mps *= body.wheel_limit_mps / fastest;
   }
   return wheels;
 }
 
-Wheels turn_to(double bearing_rad, const Config& config) {
-  return wheels_for(0.0, turn_rate(bearing_rad), config);
-}
+Wheels turn_to(double bearing_rad, const Body& body) { return wheels_for(0.0, turn_rate(bearing_rad), body); }
 
-Wheels steer_to(double bearing_rad, double speed_mps, const Config& config) {
+Wheels steer_to(double bearing_rad, double speed_mps, const Body& body) {
   const double share = std::max(0.0, 1.0 - std::abs(bearing_rad) / kTurnsInPlace_rad);
-  return wheels_for(speed_mps * share, turn_rate(bearing_rad), config);
+  return wheels_for(speed_mps * share, turn_rate(bearing_rad), body);
 }
 
-double free_ahead_m(const Surroundings& around, const Config& config, double bearing_rad) {
-  return std::max(0.0, around.clearance_m(beside_the_body(config, bearing_rad, 0.0)) - config.body.ahead_m);
+double free_ahead_m(const Surroundings& around, const Body& body, double bearing_rad) {
+  return std::max(0.0, around.clearance_m(beside_the_body(around, body, bearing_rad, 0.0)) - body.ahead_m);
 }
 
-double free_alongside_m(const Surroundings& around, const Config& config, double bearing_rad) {
-  const double ahead = config.body.ahead_m;
-  return std::max(0.0, around.clearance_m(beside_the_body(config, bearing_rad, ahead - kReaches_m)) - ahead);
+double free_alongside_m(const Surroundings& around, const Body& body, double bearing_rad) {
+  const double ahead = body.ahead_m;
+  return std::max(0.0,
+                  around.clearance_m(beside_the_body(around, body, bearing_rad, ahead - kReaches_m)) - ahead);
 }
 
-double free_behind_m(const Surroundings& around, const Config& config) {
-  const double behind = config.body.length_m - config.body.ahead_m;
+double free_behind_m(const Surroundings& around, const Body& body) {
+  const double behind = body.length_m - body.ahead_m;
   return std::max(
-      0.0, around.clearance_m(beside_the_body(config, std::numbers::pi, behind - kReaches_m)) - behind);
+      0.0, around.clearance_m(beside_the_body(around, body, std::numbers::pi, behind - kReaches_m)) - behind);
 }
 
-double turn_from_surfaces_rad(const Perception& seen, const Config& config) {
-  const double wanted = 0.5 * config.body.width_m + kWantedBeside_m;
+double turn_from_surfaces_rad(const Perception& seen, const Body& body) {
+  const double wanted = 0.5 * body.width_m + kWantedBeside_m;
   const auto lack = [&](double bearing_rad) {
     const double clearance = seen.around.clearance_m(
         {.bearing_rad = bearing_rad, .half_width_m = 0.3, .surface_m = 0.0, .surface_per_metre = 0.0});
@@ -75,10 +74,9 @@ double turn_from_surfaces_rad(const Perception& seen, const Config& config) {
   return kLean_rad * (lack(-0.5 * std::numbers::pi) - lack(0.5 * std::numbers::pi));
 }
 
-double speed_for(double free_ahead_m, const Config& config) {
-  const double share = std::clamp(free_ahead_m / config.driving.slow_below_m - 1.0, 0.0, 1.0);
-  return config.driving.slow_mps +
-         std::min(1.0, 2.0 * share) * (config.driving.cruise_mps - config.driving.slow_mps);
+double speed_for(double free_ahead_m, const Driving& driving) {
+  const double share = std::clamp(free_ahead_m / driving.slow_below_m - 1.0, 0.0, 1.0);
+  return driving.slow_mps + std::min(1.0, 2.0 * share) * (driving.cruise_mps - driving.slow_mps);
 }
 
 }  // namespace caravan::agent

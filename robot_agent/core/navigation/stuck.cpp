@@ -16,7 +16,7 @@ constexpr double kCommanded_rad = 2.0;
 
 }  // namespace
 
-bool StuckMonitor::update(const Perception& seen, const Wheels& commanded, const Config& config) {
+bool StuckMonitor::update(const Perception& seen, const Wheels& commanded, double track_m) {
   if (!anchored_) {
     anchor(seen);
     return false;
@@ -24,7 +24,7 @@ bool StuckMonitor::update(const Perception& seen, const Wheels& commanded, const
   const double dt = std::chrono::duration<double>(seen.now - last_).count();
   last_ = seen.now;
   commanded_m_ += dt * 0.5 * (commanded.left_mps + commanded.right_mps);
-  commanded_rad_ += dt * (commanded.right_mps - commanded.left_mps) / config.body.track_m;
+  commanded_rad_ += dt * (commanded.right_mps - commanded.left_mps) / track_m;
   if (seen.distance_to(p_WB_) > kMoved_m || std::abs(wrapped(seen.yaw_WB_rad - yaw_WB_rad_)) > kTurned_rad) {
     anchor(seen);
     return false;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robot_agent/core/config.hpp"
 #include "robot_agent/core/sensing/perception.hpp"
 
 namespace caravan::agent {
@@ -12,7 +11,7 @@ class StuckMonitor {
  public:
   /// To be called in every step with what was commanded in the step before.
   /// @return true when the robot has not moved although it should have; it then starts afresh
-  bool update(const Perception& seen, const Wheels& commanded, const Config& config);
+  bool update(const Perception& seen, const Wheels& commanded, double track_m);
   /// Forgets what was: the robot was not driving.
   void reset() { anchored_ = false; }
 

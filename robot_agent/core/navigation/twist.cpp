@@ -14,9 +14,8 @@ double towards(double now, double wanted, double most) { return now + std::clamp
 
 }  // namespace
 
-Twist twist_of(const Wheels& wheels, const Config& config) {
-  return {0.5 * (wheels.left_mps + wheels.right_mps),
-          (wheels.right_mps - wheels.left_mps) / config.body.track_m};
+Twist twist_of(const Wheels& wheels, double track_m) {
+  return {0.5 * (wheels.left_mps + wheels.right_mps), (wheels.right_mps - wheels.left_mps) / track_m};
 }
 
 Twist approaching(const Twist& now, const Twist& wanted, double seconds) {

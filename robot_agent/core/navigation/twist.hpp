@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robot_agent/core/config.hpp"
 #include "robot_agent/core/types.hpp"
 
 namespace caravan::agent {
@@ -12,7 +11,7 @@ struct Twist {
   double angular_radps = 0.0;  ///< counter-clockwise positive
 };
 
-[[nodiscard]] Twist twist_of(const Wheels& wheels, const Config& config);
+[[nodiscard]] Twist twist_of(const Wheels& wheels, double track_m);
 
 /// The twist some seconds later when the wheels are told to bring it to `wanted`, limited by acceleration.
 [[nodiscard]] Twist approaching(const Twist& now, const Twist& wanted, double seconds);

@@ -32,22 +32,22 @@ class BestFew {
 
 }  // namespace
 
-bool is_reachable(const Perception& seen, const Point& candidate, const Config& config) {
+bool is_reachable(const Perception& seen, const Point& candidate, const Passage& passage, const Body& body) {
   const double bearing = seen.bearing_to(candidate);
   if (!seen.around.in_front_fan(bearing)) return false;
   const double distance = seen.distance_to(candidate);
   const Corridor corridor{.bearing_rad = bearing,
-                          .half_width_m = 0.5 * config.passage.corridor_m,
+                          .half_width_m = 0.5 * passage.corridor_m,
                           .surface_m = 0.2,
                           .surface_per_metre = 0.3};
-  return seen.around.clearance_m(corridor) > distance + config.body.ahead_m;
+  return seen.around.clearance_m(corridor) > distance + body.ahead_m;
 }
 
-std::optional<Shortcut> find_shortcut(const Ahead& ahead, const Perception& seen, const Config& config,
-                                      const Refusals& refusals, double least_gain_m) {
+std::optional<Shortcut> find_shortcut(const Ahead& ahead, const Perception& seen,
+                                      const ShortcutSearch& search, const Refusals& refusals) {
   const std::size_t size = ahead.plan.size();
   if (ahead.next >= size) return std::nullopt;
-  const double squared_radius = config.smoothing.vision_radius_m * config.smoothing.vision_radius_m;
+  const double squared_radius = search.vision_radius_m * search.vision_radius_m;
   const double to_next = seen.distance_to(ahead.plan[ahead.next]);
   BestFew few;
   for (std::size_t i = ahead.next + 1; i < size; ++i) {
@@ -55,11 +55,12 @@ std::optional<Shortcut> find_shortcut(const Ahead& ahead, const Perception& seen
     if (squared > squared_radius) continue;
     const double along = to_next + ahead.to_end_m[ahead.next] - ahead.to_end_m[i];
     const double gain = along - std::sqrt(squared);
-    if (gain >= least_gain_m) few.offer({i, gain});
+    if (gain >= search.least_gain_m) few.offer({i, gain});
   }
   for (const Shortcut& shortcut : few.all()) {
     const Point& candidate = ahead.plan[shortcut.candidate];
-    if (is_reachable(seen, candidate, config) && !refusals.refuses(seen.p_WB, candidate, seen.now)) {
+    if (is_reachable(seen, candidate, search.passage, search.body) &&
+        !refusals.refuses(seen.p_WB, candidate, seen.now)) {
       return shortcut;
     }
   }

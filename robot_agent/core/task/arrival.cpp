@@ -10,11 +10,11 @@ constexpr double kCrowded_m = 2.5;
 
 }  // namespace
 
-bool has_arrived(const Perception& seen, const Point& at, const Config& config) {
+bool has_arrived(const Perception& seen, const Point& at, const Task& task, const Body& body) {
   const double distance = seen.distance_to(at);
-  if (distance < config.task.arrival_radius_m) return true;
-  if (distance >= config.task.service_radius_m || !seen.robot_near) return false;
-  return free_ahead_m(seen.around, config, seen.bearing_to(at)) < kCrowded_m;
+  if (distance < task.arrival_radius_m) return true;
+  if (distance >= task.service_radius_m || !seen.robot_near) return false;
+  return free_ahead_m(seen.around, body, seen.bearing_to(at)) < kCrowded_m;
 }
 
 }  // namespace caravan::agent

@@ -28,16 +28,16 @@ constexpr Time kWanderAgain = 60s;
 constexpr double kReached_m = 0.3;
 
 /// From the middle of what it touched: a little more than shortcuts keep, so that it does not stop beside it.
-double keeps_from_touched_m(const Config& config) {
-  return 0.5 * config.passage.corridor_m + config.obstacles.margin_m + 0.05;
+double keeps_from_touched_m(const Passage& passage, const ObstacleMemory& obstacles) {
+  return 0.5 * passage.corridor_m + obstacles.margin_m + 0.05;
 }
 
 }  // namespace
 
-Carrier::Carrier(const Config& config, Path path, const Point& p_WB)
-    : config_{config},
+Carrier::Carrier(const CarrierSettings& settings, Path path, const Point& p_WB)
+    : settings_{settings},
       route_{std::move(path), false, p_WB},
-      gripper_{config.task.gripper_patience},
+      gripper_{settings.task.gripper_patience},
       last_smoothed_at_{p_WB},
       best_remaining_m_{std::numeric_limits<double>::infinity()},
       last_wander_{-kWanderAgain} {}
@@ -69,7 +69,7 @@ void Carrier::adopt(Path path, const Point& p_WB) {
 
 Motion Carrier::step(const Perception& seen, Driver& driver, pure::Random& random, Notes& notes) {
   refusals_.forget(seen.now);
-  if (has_arrived(seen, route_.end(), config_)) arrive(seen, notes);
+  if (has_arrived(seen, route_.end(), settings_.task, settings_.body)) arrive(seen, notes);
   if (auto* wandering = std::get_if<Wandering>(&state_)) {
     const bool over =
         seen.distance_to(wandering->began_at) >= wandering->enough_m || seen.now >= wandering->give_up;
@@ -111,7 +111,8 @@ Motion Carrier::follow(const Perception& seen, Driver& driver, pure::Random& ran
   }
   if (driver.is_steering()) smooth(seen);
   if (!seen.touched_W.empty() &&
-      route_.bend_round(seen.touched_W, keeps_from_touched_m(config_), seen.p_WB)) {
+      route_.bend_round(seen.touched_W, keeps_from_touched_m(settings_.passage, settings_.obstacles),
+                        seen.p_WB)) {
     expect_progress();
     notes.add("path_bent");
   }
@@ -124,11 +125,12 @@ void Carrier::smooth(const Perception& seen) {
   if (seen.distance_to(last_smoothed_at_) < kSmoothsEvery_m || !route_.may_shorten()) return;
   last_smoothed_at_ = seen.p_WB;
   if (route_.off_path_m(seen.p_WB) > kOnPath_m || route_.provisional_m() > kLongestProvisional_m) return;
-  const double least =
-      route_.is_provisional() ? std::max(kNestedGain_m, config_.smoothing.gain_m) : config_.smoothing.gain_m;
-  const auto shortcut = find_shortcut(route_.ahead(), seen, config_, refusals_, least);
+  const Smoothing& smoothing = settings_.smoothing;
+  const double least = route_.is_provisional() ? std::max(kNestedGain_m, smoothing.gain_m) : smoothing.gain_m;
+  const auto shortcut = find_shortcut(
+      route_.ahead(), seen, {smoothing.vision_radius_m, least, settings_.passage, settings_.body}, refusals_);
   if (!shortcut) return;
-  route_.shorten(seen.p_WB, shortcut->candidate, config_.recording.spacing_m);
+  route_.shorten(seen.p_WB, shortcut->candidate, settings_.recording.spacing_m);
   expect_progress();
 }
 
@@ -138,12 +140,12 @@ void Carrier::react(Obstruction obstruction, const Perception& seen, Driver& dri
       obstruction == Obstruction::kObstacle || (obstruction == Obstruction::kTouch && !seen.robot_near);
   if (!stands) return;
   if (obstruction == Obstruction::kTouch) {
-    const Point front = seen.p_WB + config_.body.ahead_m * direction(seen.yaw_WB_rad);
-    refusals_.touched(front, seen.now + config_.smoothing.pause);
+    const Point front = seen.p_WB + settings_.body.ahead_m * direction(seen.yaw_WB_rad);
+    refusals_.touched(front, seen.now + settings_.smoothing.pause);
   }
   if (route_.is_provisional()) {
     const Route::Ends blocked = route_.restore(seen.p_WB);
-    refusals_.refuse(blocked.from, blocked.to, seen.now + config_.smoothing.pause);
+    refusals_.refuse(blocked.from, blocked.to, seen.now + settings_.smoothing.pause);
     notes.add("shortcut_restored");
     if (obstruction == Obstruction::kObstacle) driver.back_off();
     expect_progress();
@@ -154,7 +156,9 @@ void Carrier::react(Obstruction obstruction, const Perception& seen, Driver& dri
 
 Motion Carrier::wander(Wandering& state, const Perception& seen, Driver& driver, pure::Random& random) {
   const bool wants_another = !state.location || seen.distance_to(*state.location) < kReached_m;
-  if (wants_another && driver.is_steering()) state.location = new_location_to_explore(seen, config_, random);
+  if (wants_another && driver.is_steering())
+    state.location =
+        new_location_to_explore(seen, settings_.exploration, settings_.passage, settings_.body, random);
   Motion motion = driver.drive_to(state.location.value_or(seen.p_WB), seen, random);
   if (motion.obstruction != Obstruction::kNone) state.location.reset();
   motion.activity = Activity::kAvoiding;

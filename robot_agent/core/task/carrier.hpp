@@ -7,8 +7,20 @@
 #include "robot_agent/core/path/route.hpp"
 #include "robot_agent/core/task/gripper.hpp"
 #include "robot_agent/core/task/notes.hpp"
+#include "robot_agent/core/task/settings.hpp"
 
 namespace caravan::agent {
+
+/// What a Carrier goes by.
+struct CarrierSettings {
+  Task task;
+  Smoothing smoothing;
+  RecordingSettings recording;
+  Exploration exploration;
+  Passage passage;
+  ObstacleMemory obstacles;
+  Body body;
+};
 
 /// A robot with a path: Algorithm 1, lines 12 and 13. It carries items along its path and shortens it.
 ///
@@ -21,7 +33,7 @@ class Carrier {
  public:
   /// Begins at `p_WB` with the way to the source: the drive that found the destination delivers nothing.
   /// @param path driven, from the source to the destination
-  Carrier(const Config& config, Path path, const Point& p_WB);
+  Carrier(const CarrierSettings& settings, Path path, const Point& p_WB);
 
   [[nodiscard]] Motion step(const Perception& seen, Driver& driver, pure::Random& random, Notes& notes);
   /// Reads `holding`; in every step, also while it stands.
@@ -51,7 +63,7 @@ class Carrier {
   [[nodiscard]] bool makes_progress(const Perception& seen);
   void expect_progress();
 
-  Config config_;
+  CarrierSettings settings_;
   Route route_;
   Refusals refusals_;
   Gripper gripper_;

@@ -17,13 +17,13 @@ constexpr Time kLooksAway = 8s;  // after the destination proved out of reach fr
 
 }  // namespace
 
-Explorer::Explorer(const Config& config)
-    : config_{config}, record_{config.task.source, config.recording.spacing_m}, state_{Searching{}} {}
+Explorer::Explorer(const ExplorerSettings& settings)
+    : settings_{settings}, record_{settings.task.source, settings.recording.spacing_m}, state_{Searching{}} {}
 
 Motion Explorer::step(const Perception& seen, Driver& driver, pure::Random& random) {
   record_.visit(seen.p_WB, seen.yaw_WB_rad);
   if (std::holds_alternative<Searching>(state_) && seen.now >= looks_again_) {
-    if (const auto destination = sees_destination(seen, config_)) {
+    if (const auto destination = look_out(seen)) {
       state_ = Approaching{*destination, seen.now};
     }
   }
@@ -37,7 +37,8 @@ Motion Explorer::search(Searching& state, const Perception& seen, Driver& driver
   const bool wants_another =
       !state.location || seen.distance_to(*state.location) < kReached_m || seen.now >= state.give_up;
   if (wants_another && driver.is_steering()) {
-    state = {new_location_to_explore(seen, config_, random), seen.now + kLocationPatience};
+    state = {new_location_to_explore(seen, settings_.exploration, settings_.passage, settings_.body, random),
+             seen.now + kLocationPatience};
   }
   const Motion motion = driver.drive_to(state.location.value_or(seen.p_WB), seen, random);
   if (motion.obstruction != Obstruction::kNone) state.location.reset();
@@ -46,16 +47,20 @@ Motion Explorer::search(Searching& state, const Perception& seen, Driver& driver
 
 Motion Explorer::approach(Approaching& state, const Perception& seen, Driver& driver, pure::Random& random) {
   const Point destination = state.destination;
-  if (has_arrived(seen, destination, config_)) {
+  if (has_arrived(seen, destination, settings_.task, settings_.body)) {
     found_ = record_.finished_at(seen.p_WB, destination);
     return driver.stand(Activity::kDriving, seen.now);
   }
-  if (seen.robot_near || sees_destination(seen, config_)) state.last_seen = seen.now;
+  if (seen.robot_near || look_out(seen)) state.last_seen = seen.now;
   const Motion motion = driver.drive_to(destination, seen, random);
   const bool blocked =
       motion.obstruction == Obstruction::kObstacle || motion.obstruction == Obstruction::kTouch;
   if (blocked || seen.now - state.last_seen > kOutOfSight) look_away(seen.now);
   return motion;
+}
+
+std::optional<Point> Explorer::look_out(const Perception& seen) const {
+  return sees_destination(seen, settings_.task, settings_.exploration, settings_.passage);
 }
 
 void Explorer::look_away(Time now) {

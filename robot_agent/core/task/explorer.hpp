@@ -7,8 +7,18 @@
 #include "robot_agent/core/navigation/driver.hpp"
 #include "robot_agent/core/path/recording.hpp"
 #include "robot_agent/core/task/notes.hpp"
+#include "robot_agent/core/task/settings.hpp"
 
 namespace caravan::agent {
+
+/// What an Explorer goes by.
+struct ExplorerSettings {
+  Task task;
+  Exploration exploration;
+  RecordingSettings recording;
+  Passage passage;
+  Body body;
+};
 
 /// A robot without a path: Algorithm 1, lines 3 to 10. It explores, records where it went and looks out for
 /// the destination.
@@ -21,7 +31,7 @@ namespace caravan::agent {
 /// Approaching also ends when the destination has been out of sight for a while.
 class Explorer {
  public:
-  explicit Explorer(const Config& config);
+  explicit Explorer(const ExplorerSettings& settings);
 
   [[nodiscard]] Motion step(const Perception& seen, Driver& driver, pure::Random& random);
   /// The path from the source to the destination, once it has arrived there.
@@ -39,9 +49,10 @@ class Explorer {
   [[nodiscard]] Motion search(Searching& state, const Perception& seen, Driver& driver, pure::Random& random);
   [[nodiscard]] Motion approach(Approaching& state, const Perception& seen, Driver& driver,
                                 pure::Random& random);
+  [[nodiscard]] std::optional<Point> look_out(const Perception& seen) const;
   void look_away(Time now);
 
-  Config config_;
+  ExplorerSettings settings_;
   Recording record_;
   std::variant<Searching, Approaching> state_;
   Time looks_again_{0};

@@ -22,10 +22,10 @@ const std::vector<Wall> kAhead = {{{0.9, -0.5}, {0.9, 0.5}}};
 const std::vector<Wall> kNearAhead = {{{0.55, -0.5}, {0.55, 0.5}}};
 
 TEST(Steering, DrivesStraightAtCruiseTowardsAGoalAhead) {
-  const Config config;
-  const Wheels wheels = steer_to(0.0, speed_for(5.0, config), config);
-  EXPECT_DOUBLE_EQ(wheels.left_mps, config.driving.cruise_mps);
-  EXPECT_DOUBLE_EQ(wheels.right_mps, config.driving.cruise_mps);
+  const Driving driving;
+  const Wheels wheels = steer_to(0.0, speed_for(5.0, driving), {});
+  EXPECT_DOUBLE_EQ(wheels.left_mps, driving.cruise_mps);
+  EXPECT_DOUBLE_EQ(wheels.right_mps, driving.cruise_mps);
 }
 
 TEST(Steering, TurnsInPlaceTowardsAGoalBehind) {
@@ -35,22 +35,19 @@ TEST(Steering, TurnsInPlaceTowardsAGoalBehind) {
 }
 
 TEST(Steering, NeverExceedsTheWheelLimit) {
-  Config config;
-  config.body.wheel_limit_mps = 1.0;
-  const Wheels wheels = wheels_for(0.975, 2.5, config);
+  const Wheels wheels = wheels_for(0.975, 2.5, Body{.wheel_limit_mps = 1.0});
   EXPECT_LE(std::abs(wheels.right_mps), 1.0);
   EXPECT_LT(wheels.left_mps, wheels.right_mps);
 }
 
 TEST(Steering, IsSlowNearAnObstacle) {
-  const Config config;
-  EXPECT_DOUBLE_EQ(speed_for(0.9, config), config.driving.slow_mps);
-  EXPECT_DOUBLE_EQ(speed_for(2.0, config), config.driving.cruise_mps);
+  const Driving driving;
+  EXPECT_DOUBLE_EQ(speed_for(0.9, driving), driving.slow_mps);
+  EXPECT_DOUBLE_EQ(speed_for(2.0, driving), driving.cruise_mps);
 }
 
 TEST(Driver, AnEchoAheadWithAWaitIsARobotAndBothTurnSlightlyLeft) {
-  const Config config;
-  Driver driver{config};
+  Driver driver{DriverSettings{}};
   pure::Random random{1};
   Perception seen = look(kAhead, {0, 0}, 0.0);
   seen.robot_near = true;
@@ -61,8 +58,7 @@ TEST(Driver, AnEchoAheadWithAWaitIsARobotAndBothTurnSlightlyLeft) {
 }
 
 TEST(Driver, TheSameEchoWithoutAWaitIsAnObstacleAtTheShorterDistance) {
-  const Config config;
-  Driver driver{config};
+  Driver driver{DriverSettings{}};
   pure::Random random{1};
   EXPECT_EQ(driver.drive_to({5, 0}, look(kAhead, {0, 0}, 0.0), random).obstruction, Obstruction::kNone);
   EXPECT_EQ(driver.drive_to({5, 0}, look(kNearAhead, {0, 0}, 0.0), random).obstruction,
@@ -70,7 +66,7 @@ TEST(Driver, TheSameEchoWithoutAWaitIsAnObstacleAtTheShorterDistance) {
 }
 
 TEST(Driver, ARobotThatDrivesAndDoesNotMoveBacksOff) {
-  Driver driver{Config{}};
+  Driver driver{DriverSettings{}};
   pure::Random random{1};
   bool touched = false;
   bool backwards = false;
@@ -86,17 +82,17 @@ TEST(Driver, ARobotThatDrivesAndDoesNotMoveBacksOff) {
 }
 
 TEST(StuckMonitor, AMovingOrATurningOrAStandingRobotIsNotStuck) {
-  const Config config;
+  const Body body;
   for (const Wheels wheels : {Wheels{0.9, 0.9}, Wheels{-0.3, 0.3}, Wheels{}}) {
     StuckMonitor monitor;
     Perception seen = look({}, {0, 0}, 0.0);
     for (int i = 0; i < 300; ++i) {
-      EXPECT_FALSE(monitor.update(seen, wheels, config));
+      EXPECT_FALSE(monitor.update(seen, wheels, body.track_m));
       seen.now += 32ms;
       const double speed = 0.5 * (wheels.left_mps + wheels.right_mps);
       seen.p_WB.x() += 0.032 * speed;
       seen.yaw_WB_rad =
-          wrapped(seen.yaw_WB_rad + 0.032 * (wheels.right_mps - wheels.left_mps) / config.body.track_m);
+          wrapped(seen.yaw_WB_rad + 0.032 * (wheels.right_mps - wheels.left_mps) / body.track_m);
     }
   }
 }
@@ -106,7 +102,7 @@ TEST(Avoidance, WithNoRoomOnTheLeftTheRobotLetsTheOtherPass) {
   const Perception seen = look(walls, {0, 0}, 0.0);
   const Manoeuvre manoeuvre = turn_slightly_left({seen, {}});
   ASSERT_TRUE(std::holds_alternative<Pause>(manoeuvre.front()));
-  const Manoeuvre third = turn_slightly_left({.seen = seen, .config = {}, .attempt = 2});
+  const Manoeuvre third = turn_slightly_left({.seen = seen, .attempt = 2});
   EXPECT_FALSE(std::holds_alternative<Pause>(third.front())) << "it does not wait for ever";
 }
 
@@ -164,18 +160,17 @@ TEST(Avoidance, FreeingItselfTheRobotTriesBothSides) {
 }
 
 TEST(Arrival, WithinOneMetreAndInACrowdWithinTheServiceRadius) {
-  const Config config;
-  EXPECT_TRUE(has_arrived(look({}, {0, 0}, 0.0), {0.99, 0}, config));
-  EXPECT_FALSE(has_arrived(look({}, {0, 0}, 0.0), {1.3, 0}, config));
+  EXPECT_TRUE(has_arrived(look({}, {0, 0}, 0.0), {0.99, 0}, {}, {}));
+  EXPECT_FALSE(has_arrived(look({}, {0, 0}, 0.0), {1.3, 0}, {}, {}));
   Perception crowded = look(kAhead, {0, 0}, 0.0);
-  EXPECT_FALSE(has_arrived(crowded, {1.3, 0}, config)) << "an obstacle without WAIT does not count";
+  EXPECT_FALSE(has_arrived(crowded, {1.3, 0}, {}, {})) << "an obstacle without WAIT does not count";
   crowded.robot_near = true;
-  EXPECT_TRUE(has_arrived(crowded, {1.3, 0}, config));
-  EXPECT_FALSE(has_arrived(crowded, {1.6, 0}, config));
+  EXPECT_TRUE(has_arrived(crowded, {1.3, 0}, {}, {}));
+  EXPECT_FALSE(has_arrived(crowded, {1.6, 0}, {}, {}));
 }
 
 TEST(Driver, ThatCannotBackOffTurns) {
-  Driver driver{Config{}};
+  Driver driver{DriverSettings{}};
   pure::Random random{1};
   bool backed = false;
   bool turned = false;

@@ -14,15 +14,15 @@ using test::look;
 using test::Wall;
 
 TEST(Exploration, InTheOpenTheNewLocationLiesOneStepAwayNearTheHeading) {
-  const Config config;
+  const Exploration exploration;
   pure::Random random{7};
   const Perception seen = look({}, {3.0, -2.0}, 1.2);
   bool left = false;
   bool right = false;
   for (int i = 0; i < 200; ++i) {
-    const Point location = new_location_to_explore(seen, config, random);
-    EXPECT_NEAR(seen.distance_to(location), config.exploration.step_m, 1e-9);
-    EXPECT_LE(std::abs(seen.bearing_to(location)), config.exploration.spread_rad + 1e-9);
+    const Point location = new_location_to_explore(seen, {}, {}, {}, random);
+    EXPECT_NEAR(seen.distance_to(location), exploration.step_m, 1e-9);
+    EXPECT_LE(std::abs(seen.bearing_to(location)), exploration.spread_rad + 1e-9);
     left = left || seen.bearing_to(location) > 0.3;
     right = right || seen.bearing_to(location) < -0.3;
   }
@@ -31,13 +31,12 @@ TEST(Exploration, InTheOpenTheNewLocationLiesOneStepAwayNearTheHeading) {
 }
 
 TEST(Exploration, InFrontOfAWallTheRangeWidensUntilADirectionIsFree) {
-  const Config config;
   const std::vector<Wall> walls = {{{0.8, -10.0}, {0.8, 10.0}}};
   const Perception seen = look(walls, {0.0, 0.0}, 0.0);
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE(seed);
     pure::Random random{seed};
-    EXPECT_LT(new_location_to_explore(seen, config, random).x(), 0.6);
+    EXPECT_LT(new_location_to_explore(seen, {}, {}, {}, random).x(), 0.6);
   }
 }
 
@@ -45,7 +44,7 @@ TEST(Exploration, WalledInItTakesTheFreestDirectionAndComesToAnEnd) {
   const auto walls = test::rectangle({0.4, 0.0}, 2.0, 1.0);
   const Perception seen = look(walls, {0.0, 0.0}, 0.0);
   pure::Random random{3};
-  const Point location = new_location_to_explore(seen, {}, random);
+  const Point location = new_location_to_explore(seen, {}, {}, {}, random);
   EXPECT_TRUE(std::isfinite(location.x()) && std::isfinite(location.y()));
 }
 
@@ -54,7 +53,8 @@ TEST(Exploration, TheSameSeedGivesTheSameLocations) {
   pure::Random one{5};
   pure::Random other{5};
   for (int i = 0; i < 20; ++i) {
-    EXPECT_EQ(new_location_to_explore(seen, {}, one), new_location_to_explore(seen, {}, other));
+    EXPECT_EQ(new_location_to_explore(seen, {}, {}, {}, one),
+              new_location_to_explore(seen, {}, {}, {}, other));
   }
 }
 

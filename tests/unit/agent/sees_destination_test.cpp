@@ -13,37 +13,36 @@ namespace {
 using test::look;
 using test::Wall;
 
-Config with_destination(const Point& at) {
-  Config config;
-  config.task.destination = at;
-  return config;
+/// By a robot that is as it is by default.
+std::optional<Point> sees(const Perception& seen, const Point& destination) {
+  return sees_destination(seen, Task{.destination = destination}, {}, {});
 }
 
 TEST(SeesDestination, WithinFourMetresAndNotBeyond) {
-  EXPECT_TRUE(sees_destination(look({}, {0.0, 0.0}, 0.0), with_destination({4.0, 0.0})));
-  EXPECT_FALSE(sees_destination(look({}, {0.0, 0.0}, 0.0), with_destination({4.01, 0.0})));
+  EXPECT_TRUE(sees(look({}, {0.0, 0.0}, 0.0), {4.0, 0.0}));
+  EXPECT_FALSE(sees(look({}, {0.0, 0.0}, 0.0), {4.01, 0.0}));
 }
 
 TEST(SeesDestination, ItSaysWhere) {
-  EXPECT_EQ(sees_destination(look({}, {1.0, 1.0}, 0.0), with_destination({2.0, 3.0})), (Point{2.0, 3.0}));
+  EXPECT_EQ(sees(look({}, {1.0, 1.0}, 0.0), {2.0, 3.0}), (Point{2.0, 3.0}));
 }
 
 TEST(SeesDestination, AlsoBehindTheRobot) {
-  EXPECT_TRUE(sees_destination(look({}, {0.0, 0.0}, std::numbers::pi), with_destination({3.0, 0.0})));
+  EXPECT_TRUE(sees(look({}, {0.0, 0.0}, std::numbers::pi), {3.0, 0.0}));
 }
 
 TEST(SeesDestination, NotThroughAWall) {
   for (const double wall_x : {0.8, 1.5, 2.5}) {
     SCOPED_TRACE(wall_x);
     const std::vector<Wall> walls = {{{wall_x, -4.0}, {wall_x, 4.0}}};
-    EXPECT_FALSE(sees_destination(look(walls, {0.0, 0.0}, 0.0), with_destination({3.0, 0.0})));
-    EXPECT_FALSE(sees_destination(look(walls, {0.0, 0.0}, std::numbers::pi), with_destination({3.0, 0.0})));
+    EXPECT_FALSE(sees(look(walls, {0.0, 0.0}, 0.0), {3.0, 0.0}));
+    EXPECT_FALSE(sees(look(walls, {0.0, 0.0}, std::numbers::pi), {3.0, 0.0}));
   }
 }
 
 TEST(SeesDestination, AWallBehindTheDestinationDoesNotHideIt) {
   const std::vector<Wall> walls = {{{3.6, -4.0}, {3.6, 4.0}}};
-  EXPECT_TRUE(sees_destination(look(walls, {0.0, 0.0}, 0.0), with_destination({3.0, 0.0})));
+  EXPECT_TRUE(sees(look(walls, {0.0, 0.0}, 0.0), {3.0, 0.0}));
 }
 
 }  // namespace

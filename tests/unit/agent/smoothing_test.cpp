@@ -34,7 +34,7 @@ struct Way {
 Way detour() { return Way{{{0, 0}, {1, 2}, {2, 3}, {3, 2}, {4, 0}, {5, 0}, {6.5, 0}, {20, 0}}}; }
 
 TEST(Smoothing, TakesTheCandidateThatShortensTheWayMost) {
-  const auto shortcut = find_shortcut(detour().from(1), look({}, {0, 0}, 0.0), {}, kNone, 0.05);
+  const auto shortcut = find_shortcut(detour().from(1), look({}, {0, 0}, 0.0), {}, kNone);
   ASSERT_TRUE(shortcut);
   EXPECT_EQ(shortcut->candidate, 4U);  // (5, 0) saves as much, but not more; (6.5, 0) is out of sight
   EXPECT_NEAR(shortcut->gain_m, 2 * std::sqrt(5.0) + 2 * std::sqrt(2.0) - 4.0, 1e-9);
@@ -42,7 +42,7 @@ TEST(Smoothing, TakesTheCandidateThatShortensTheWayMost) {
 
 TEST(Smoothing, OnAStraightPathThereIsNothingToGain) {
   const Way way{{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}}};
-  EXPECT_FALSE(find_shortcut(way.from(1), look({}, {0.2, 0}, 0.0), {}, kNone, 0.05));
+  EXPECT_FALSE(find_shortcut(way.from(1), look({}, {0.2, 0}, 0.0), {}, kNone));
 }
 
 TEST(Smoothing, LooksOnlyAtWhatLiesAheadInTheDirectionOfTravel) {
@@ -50,21 +50,21 @@ TEST(Smoothing, LooksOnlyAtWhatLiesAheadInTheDirectionOfTravel) {
   std::reverse(back.begin(), back.end());
   const Way way{back};
   // On its way back the robot at (4, 0) faces the old detour: the shortcut leads to the source.
-  const auto shortcut = find_shortcut(way.from(4), look({}, {4, 0}, kPi), {}, kNone, 0.05);
+  const auto shortcut = find_shortcut(way.from(4), look({}, {4, 0}, kPi), {}, kNone);
   ASSERT_TRUE(shortcut);
   EXPECT_EQ(way.plan[shortcut->candidate], (Point{0, 0}));
 }
 
 TEST(Smoothing, ACandidateOutsideTheFrontFanIsNotReachable) {
-  EXPECT_TRUE(is_reachable(look({}, {0, 0}, 0.0), {3, 0}, {}));
-  EXPECT_FALSE(is_reachable(look({}, {0, 0}, kPi), {3, 0}, {}));
-  EXPECT_FALSE(is_reachable(look({}, {0, 0}, 0.5 * kPi), {3, 0}, {}));
+  EXPECT_TRUE(is_reachable(look({}, {0, 0}, 0.0), {3, 0}, {}, {}));
+  EXPECT_FALSE(is_reachable(look({}, {0, 0}, kPi), {3, 0}, {}, {}));
+  EXPECT_FALSE(is_reachable(look({}, {0, 0}, 0.5 * kPi), {3, 0}, {}, {}));
 }
 
 TEST(Smoothing, AWallAcrossTheWayBlocksAndOneBehindTheCandidateDoesNot) {
   const std::vector<Wall> across = {{{2.0, -2.0}, {2.0, 2.0}}};
-  EXPECT_FALSE(is_reachable(look(across, {0, 0}, 0.0), {3, 0}, {}));
-  EXPECT_TRUE(is_reachable(look(across, {0, 0}, 0.0), {1.4, 0}, {}));
+  EXPECT_FALSE(is_reachable(look(across, {0, 0}, 0.0), {3, 0}, {}, {}));
+  EXPECT_TRUE(is_reachable(look(across, {0, 0}, 0.0), {1.4, 0}, {}, {}));
 }
 
 TEST(Smoothing, AnObliqueWallAtThirtyDegreesToTheWayBlocks) {
@@ -74,7 +74,7 @@ TEST(Smoothing, AnObliqueWallAtThirtyDegreesToTheWayBlocks) {
     const Point along = {std::cos(kPi / 6), std::sin(kPi / 6)};
     const Point middle{crosses_at, 0.0};
     const std::vector<Wall> walls = {{middle - 6.0 * along, middle + 6.0 * along}};
-    EXPECT_FALSE(is_reachable(look(walls, {0, 0}, 0.0), {4, 0}, {}));
+    EXPECT_FALSE(is_reachable(look(walls, {0, 0}, 0.0), {4, 0}, {}, {}));
   }
 }
 
@@ -84,24 +84,24 @@ TEST(Smoothing, AWallWhoseNormalIsThirtyDegreesOffTheWayBlocks) {
     const Point along = {std::cos(kPi / 3), std::sin(kPi / 3)};
     const Point middle{crosses_at, 0.0};
     const std::vector<Wall> walls = {{middle - 6.0 * along, middle + 6.0 * along}};
-    EXPECT_FALSE(is_reachable(look(walls, {0, 0}, 0.0), {4, 0}, {}));
+    EXPECT_FALSE(is_reachable(look(walls, {0, 0}, 0.0), {4, 0}, {}, {}));
   }
 }
 
 TEST(Smoothing, AWayAlongsideAWallIsReachable) {
   const std::vector<Wall> walls = {{{-10.0, 0.6}, {10.0, 0.6}}};
-  EXPECT_TRUE(is_reachable(look(walls, {0, 0}, 0.0), {5, 0}, {}));
+  EXPECT_TRUE(is_reachable(look(walls, {0, 0}, 0.0), {5, 0}, {}, {}));
 }
 
 TEST(Smoothing, WhatWasRefusedIsNotOfferedAgainUntilItsTime) {
   Refusals refusals;
   refusals.refuse({0.3, 0.2}, {4.2, -0.3}, 10s);
   Perception seen = look({}, {0, 0}, 0.0);
-  const auto other = find_shortcut(detour().from(1), seen, {}, refusals, 0.05);
+  const auto other = find_shortcut(detour().from(1), seen, {}, refusals);
   ASSERT_TRUE(other);
   EXPECT_NE(other->candidate, 4U);
   seen.now = 10s;
-  EXPECT_EQ(find_shortcut(detour().from(1), seen, {}, refusals, 0.05)->candidate, 4U);
+  EXPECT_EQ(find_shortcut(detour().from(1), seen, {}, refusals)->candidate, 4U);
 }
 
 TEST(Smoothing, TheRefusedPairIsRefusedFromItsOtherEndToo) {

@@ -85,12 +85,12 @@ TEST(UnseenObstacles, AreRememberedAndPlannedRoundForTheWholeRun) {
   EXPECT_NEAR((seen.touched_W[0] - front).norm(), ObstacleMemory{}.margin_m, 1e-9);
   EXPECT_NEAR(free_ahead_m(seen.around, {}), front.x() + 1.5 - 0.2, 1e-9);
   EXPECT_NEAR(free_ahead_m(seen.still, {}), front.x() + 1.5 - 0.2, 1e-9);
-  EXPECT_FALSE(is_reachable(seen, {2.5, 0.0}, {})) << "no shortcut leads through it";
-  EXPECT_TRUE(is_reachable(seen, {0.5, 1.8}, {}));
+  EXPECT_FALSE(is_reachable(seen, {2.5, 0.0}, {}, {})) << "no shortcut leads through it";
+  EXPECT_TRUE(is_reachable(seen, {0.5, 1.8}, {}, {}));
   robot.stand_at(front - Point{0.8, 0.0});
   pure::Random random{1, 1};
   for (int i = 0; i < 200; ++i) {
-    const Point next = new_location_to_explore(robot.seen(), {}, random);
+    const Point next = new_location_to_explore(robot.seen(), {}, {}, {}, random);
     EXPECT_GT(std::abs(robot.seen().bearing_to(next)), 0.3);
   }
   robot.stand_at(front - Point{0.5, 0.0});
