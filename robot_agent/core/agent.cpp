@@ -35,7 +35,7 @@ std::string where(const Point& p_W) { return in_detail("x_m", p_W.x()) + " " + i
 struct Agent::Impl {
   explicit Impl(const Config& its_config)
       : config{its_config},
-        communication{config},
+        communication{{config.id, config.sharing, config.wait, config.air}},
         driver{{config.body, config.driving, config.meeting, config.keep_clear, config.passage}},
         neighbours{config.wait.period},
         surfaces{config.surfaces, config.patience, config.obstacles.places > 0},

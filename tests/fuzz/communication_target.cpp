@@ -32,7 +32,7 @@ std::vector<ReceivedFrame> next_frames(std::span<const std::uint8_t>& bytes, Cha
 }  // namespace
 
 void communication(std::span<const std::uint8_t> bytes) {
-  Config config;
+  CommunicationSettings config;
   config.id = RobotId{5};
   config.sharing.starts = Time{0};
   Communication robot{config};

@@ -33,11 +33,11 @@ Path path_of(std::uint16_t id, std::size_t points) {
   return path;
 }
 
-AirWorld::AirWorld(std::uint64_t seed, const Config& config)
+AirWorld::AirWorld(std::uint64_t seed, const CommunicationSettings& config)
     : now{config.sharing.starts}, config_{config}, random_{seed, 99} {}
 
 void AirWorld::add(std::uint16_t id, Path path) {
-  Config own = config_;
+  CommunicationSettings own = config_;
   own.id = RobotId{id};
   paths_ever_[id].push_back(path);
   robots_.emplace(id, Robot{own, Communication{own}, std::move(path), {}, {}, Time{-1}, {}, {}, {}, {}, {}});

@@ -23,7 +23,7 @@ struct Weather {
 class AirWorld {
  public:
   struct Robot {
-    Config config;
+    CommunicationSettings config;
     Communication communication;
     Path path;
     AirOutputs out;
@@ -36,7 +36,7 @@ class AirWorld {
     std::map<std::uint16_t, Time> rejected;  // when last
   };
 
-  AirWorld(std::uint64_t seed, const Config& config);
+  AirWorld(std::uint64_t seed, const CommunicationSettings& config);
   void add(std::uint16_t id, Path path);
   void remove(std::uint16_t id);
   void restart(std::uint16_t id);
@@ -68,7 +68,7 @@ class AirWorld {
   void breach(std::uint16_t id, const std::string& what);
   [[nodiscard]] bool are_parted(std::uint16_t one, std::uint16_t other) const;
 
-  Config config_;
+  CommunicationSettings config_;
   pure::Random random_;
   std::map<std::uint16_t, Robot> robots_;
   std::map<std::uint16_t, std::vector<Path>> paths_ever_;

@@ -23,7 +23,7 @@ TEST(ExchangeProperty, InQuietAirPathsOfAnyLengthCrossInFewSteps) {  // P-40
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     SCOPED_TRACE(seed);
     pure::Random random{seed};
-    AirWorld world{seed, Config{}};
+    AirWorld world{seed, CommunicationSettings{}};
     const auto points = [&random] { return 2 + static_cast<std::size_t>(random.uniform(0.0, 300.0)); };
     world.add(3, path_of(3, points()));
     world.add(7, random.chance(0.2) ? Path{} : path_of(7, points()));
@@ -45,7 +45,7 @@ TEST(ExchangeProperty, AtHalfTheFramesLostMostExchangesCompleteAndBothSidesKnow)
   int known_to_one = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     SCOPED_TRACE(seed);
-    AirWorld world{seed, Config{}};
+    AirWorld world{seed, CommunicationSettings{}};
     world.weather = {.loss = 0.5, .duplicate = 0.1, .max_delay_steps = 2};
     world.add(3, path_of(3, 45));
     world.add(7, path_of(7, 120));
@@ -63,7 +63,7 @@ TEST(ExchangeProperty, AtHalfTheFramesLostMostExchangesCompleteAndBothSidesKnow)
 TEST(ExchangeProperty, SeveralPairsOnOnePrivateChannelOnlySlowEachOtherDown) {  // P-46
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
-    Config config;
+    CommunicationSettings config;
     config.air.channel_count = seed % 2 == 0 ? 3 : 2;
     AirWorld world{seed, config};
     world.weather.loss = seed % 4 < 2 ? 0.0 : 0.2;
@@ -79,7 +79,7 @@ TEST(ExchangeProperty, SeveralPairsOnOnePrivateChannelOnlySlowEachOtherDown) {  
 TEST(ExchangeProperty, TheSmallestMtuIsEnough) {  // P-13
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
-    Config config;
+    CommunicationSettings config;
     config.air.mtu_bytes = 32;
     AirWorld world{seed, config};
     world.weather.loss = seed % 2 == 0 ? 0.0 : 0.2;

@@ -15,8 +15,8 @@ std::uint16_t below(pure::Random& random, int limit) {
   return static_cast<std::uint16_t>(random.uniform(0.0, limit));
 }
 
-Config busy_config(pure::Random& random) {
-  Config config;
+CommunicationSettings busy_config(pure::Random& random) {
+  CommunicationSettings config;
   config.sharing.mode = random.chance(0.7) ? Sharing::kFull : Sharing::kPartial;
   config.sharing.recontact_after = 3s;
   config.air.channel_count = random.chance(0.3) ? 3 : 1U << 20U;
@@ -68,7 +68,7 @@ TEST(PairingProperty, PartnersAgreeSoonAfterTheAirBecomesQuiet) {  // P-7
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     SCOPED_TRACE(seed);
     pure::Random random{seed};
-    Config config = busy_config(random);
+    CommunicationSettings config = busy_config(random);
     config.wait.period = 0s;
     AirWorld world{seed, config};
     world.weather = bad_weather(random);
@@ -90,7 +90,7 @@ TEST(PairingProperty, InQuietAirAllMeetAllAndThenDriveOn) {  // P-8
   for (std::uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE(seed);
     pure::Random random{seed};
-    Config config = busy_config(random);
+    CommunicationSettings config = busy_config(random);
     config.sharing.mode = Sharing::kFull;
     config.sharing.recontact_after = 10min;
     AirWorld world{seed, config};
@@ -113,7 +113,7 @@ TEST(PairingProperty, APartnerThatDiesAtAnyMomentCostsLittleTime) {  // P-6
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     SCOPED_TRACE(seed);
     pure::Random random{seed};
-    AirWorld world{seed, Config{}};
+    AirWorld world{seed, CommunicationSettings{}};
     world.weather.loss = random.uniform(0.0, 0.5);
     world.add(3, path_of(3, 200));
     world.add(7, path_of(7, 200));
@@ -132,7 +132,7 @@ TEST(PairingProperty, APartnerThatDrivesOutOfEarshotCostsLittleTime) {  // P-6
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     SCOPED_TRACE(seed);
     pure::Random random{seed};
-    AirWorld world{seed, Config{}};
+    AirWorld world{seed, CommunicationSettings{}};
     world.weather.loss = random.uniform(0.0, 0.5);
     world.add(3, path_of(3, 200));
     world.add(7, path_of(7, 200));

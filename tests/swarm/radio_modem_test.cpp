@@ -29,7 +29,7 @@ class Pair {
   Pair(const Radio& radio, std::uint64_t seed) : radios_{HalfDuplex{radio.limits}, HalfDuplex{radio.limits}} {
     pure::Random random{seed};
     for (std::size_t i = 0; i < 2; ++i) {
-      agent::Config config;
+      agent::CommunicationSettings config;
       config.id = agent::RobotId{static_cast<std::uint16_t>(i + 1)};
       config.sharing.starts = Time{0};
       config.air.mtu_bytes = radio.limits.mtu_bytes;

@@ -28,7 +28,10 @@ constexpr Time kAgainAfter = 100ms;  // but not sooner
 }  // namespace
 
 struct Communication::Impl {
-  Config config;
+  RobotId id;
+  SharingSettings sharing;
+  WaitSettings wait;
+  Air air;
   Pairing pairing;
   State state = Free{};
   std::optional<Transfer> transfer;  // while InSession
@@ -40,25 +43,28 @@ struct Communication::Impl {
   Channel listened;                 // the channel that the present step's frames were heard on
   std::vector<Refuse> refusals;     // of the present step
 
-  explicit Impl(const Config& c) : config{c}, pairing{c} {
-    CARAVAN_ASSERT(c.id.value != 0 && c.air.channel_count >= 2 && points_per_frame() >= 1);
+  explicit Impl(const CommunicationSettings& settings)
+      : id{settings.id},
+        sharing{settings.sharing},
+        wait{settings.wait},
+        air{settings.air},
+        pairing{id, sharing, wait.period} {
+    CARAVAN_ASSERT(id.value != 0 && air.channel_count >= 2 && points_per_frame() >= 1);
   }
 
   [[nodiscard]] std::uint32_t points_per_frame() const {
-    return std::min(config.sharing.points_per_frame, points_that_fit(config.air.mtu_bytes));
+    return std::min(sharing.points_per_frame, points_that_fit(air.mtu_bytes));
   }
   [[nodiscard]] static Mode mode(const AirInputs& inputs) {
     return inputs.own_path.size() >= 2 ? Mode::kTransport : Mode::kExplore;
   }
   [[nodiscard]] bool is_eligible(RobotId partner, Mode partners, const AirInputs& inputs) const {
-    return can_communicate(config, contacts, mode(inputs), partner, partners, inputs.now);
+    return can_communicate(sharing, contacts, mode(inputs), partner, partners, inputs.now);
   }
   [[nodiscard]] Channel channel_with(RobotId partner) const {
-    return private_channel(config.id, partner, config.air.channel_count);
+    return private_channel(id, partner, air.channel_count);
   }
-  [[nodiscard]] bool is_for_me(RobotId from, RobotId to) const {
-    return to == config.id && from != config.id;
-  }
+  [[nodiscard]] bool is_for_me(RobotId from, RobotId to) const { return to == id && from != id; }
   [[nodiscard]] bool is_mine(RobotId from, std::uint16_t session) const {
     const auto* s = std::get_if<InSession>(&state);
     return s != nullptr && s->partner == from && s->session == session;
@@ -66,7 +72,7 @@ struct Communication::Impl {
 
   AirOutputs step(const AirInputs& inputs);
   void hear(const ReceivedFrame& frame, const AirInputs& inputs, AirOutputs& outputs);
-  void hear_wait(const Wait& wait, const AirInputs& inputs, AirOutputs& outputs);
+  void hear_wait(const Wait& heard, const AirInputs& inputs, AirOutputs& outputs);
   void hear_fragment(const PathFragment& fragment, const AirInputs& inputs, AirOutputs& outputs);
   Send apply(const PairingEvent& event, const AirInputs& inputs, AirOutputs& outputs);
   void conclude(const Outcome& outcome, AirOutputs& outputs);
@@ -98,7 +104,7 @@ AirOutputs Communication::Impl::step(const AirInputs& inputs) {
 void Communication::Impl::hear(const ReceivedFrame& frame, const AirInputs& inputs, AirOutputs& outputs) {
   const Decoded decoded = decode(frame.bytes);
   std::visit(pure::Overload{
-                 [&](const Wait& wait) { hear_wait(wait, inputs, outputs); },
+                 [&](const Wait& heard) { hear_wait(heard, inputs, outputs); },
                  [&](const Accept& accept) {
                    if (!is_for_me(accept.from, accept.to)) return;
                    apply(AcceptHeard{accept, is_eligible(accept.from, accept.mode, inputs)}, inputs, outputs);
@@ -122,11 +128,11 @@ void Communication::Impl::hear(const ReceivedFrame& frame, const AirInputs& inpu
              decoded);
 }
 
-void Communication::Impl::hear_wait(const Wait& wait, const AirInputs& inputs, AirOutputs& outputs) {
-  if (wait.from == config.id) return;  // somebody bears our number
+void Communication::Impl::hear_wait(const Wait& heard, const AirInputs& inputs, AirOutputs& outputs) {
+  if (heard.from == id) return;  // somebody bears our number
   robot_heard = inputs.now;
-  outputs.robots.push_back(wait);
-  apply(WaitHeard{wait, is_eligible(wait.from, wait.mode, inputs)}, inputs, outputs);
+  outputs.robots.push_back(heard);
+  apply(WaitHeard{heard, is_eligible(heard.from, heard.mode, inputs)}, inputs, outputs);
 }
 
 void Communication::Impl::hear_fragment(const PathFragment& fragment, const AirInputs& inputs,
@@ -146,7 +152,7 @@ Send Communication::Impl::apply(const PairingEvent& event, const AirInputs& inpu
   state = decision.next;
   const bool is_open = std::holds_alternative<InSession>(state);
   if (is_open && !transfer) {
-    transfer.emplace(inputs.own_path, wants_path(config.sharing.mode, mode(inputs)), points_per_frame());
+    transfer.emplace(inputs.own_path, wants_path(sharing.mode, mode(inputs)), points_per_frame());
   } else if (!is_open) {
     transfer.reset();
   }
@@ -156,7 +162,7 @@ Send Communication::Impl::apply(const PairingEvent& event, const AirInputs& inpu
 void Communication::Impl::conclude(const Outcome& outcome, AirOutputs& outputs) {
   const Exchange& exchange = outcome.exchange;
   outputs.ended.push_back(exchange);
-  const Time hold = exchange.completed ? Time{config.sharing.recontact_after} : outcome.hold;
+  const Time hold = exchange.completed ? Time{sharing.recontact_after} : outcome.hold;
   if (hold > Time{0}) contacts.avoid_until(exchange.partner, exchange.ended + hold);
   if (!exchange.completed) return;
   Path path = transfer->partners_path();
@@ -166,18 +172,18 @@ void Communication::Impl::conclude(const Outcome& outcome, AirOutputs& outputs) 
 bool Communication::Impl::strays(const AirInputs& inputs) const {
   if (!told || !inputs.whereabouts || !is_robot_near(inputs.now)) return false;
   if (inputs.now - told_at < kAgainAfter) return false;
-  const Neighbour believed = carried_on(config.id, *told, inputs.now - told_at);
-  const Neighbour is = carried_on(config.id, *inputs.whereabouts, Time{0});
+  const Neighbour believed = carried_on(id, *told, inputs.now - told_at);
+  const Neighbour is = carried_on(id, *inputs.whereabouts, Time{0});
   return (believed.p_WB - is.p_WB).norm() > kStrays_m ||
          std::abs(wrapped(believed.yaw_WB_rad - is.yaw_WB_rad)) > kStrays_rad;
 }
 
 void Communication::Impl::send_wait(const AirInputs& inputs, AirOutputs& outputs) {
   if (inputs.now < next_wait && !strays(inputs)) return;
-  next_wait = inputs.now + config.wait.period;
+  next_wait = inputs.now + wait.period;
   const Presence presence = presence_in(state, inputs.now);
-  const Wait wait{config.id, mode(inputs), presence.engagement, presence.partner, inputs.whereabouts};
-  outputs.frames.push_back({kCommonChannel, encode(wait)});
+  const Wait frame{id, mode(inputs), presence.engagement, presence.partner, inputs.whereabouts};
+  outputs.frames.push_back({kCommonChannel, encode(frame)});
   told = inputs.whereabouts;
   told_at = inputs.now;
 }
@@ -191,23 +197,23 @@ void Communication::Impl::send_for_state(Send send, const AirInputs& inputs, Air
       return;
     case Send::kAccept: {
       const auto& s = std::get<Accepting>(state);
-      return put(kCommonChannel, Accept{config.id, s.partner, s.session, mode(inputs)});
+      return put(kCommonChannel, Accept{id, s.partner, s.session, mode(inputs)});
     }
     case Send::kAcceptAck: {
       const auto& s = std::get<InSession>(state);
-      return put(kCommonChannel, AcceptAck{config.id, s.partner, s.session});
+      return put(kCommonChannel, AcceptAck{id, s.partner, s.session});
     }
     case Send::kFragment: {
       const auto& s = std::get<InSession>(state);
       PathFragment fragment = transfer->next();
-      fragment.from = config.id;
+      fragment.from = id;
       fragment.to = s.partner;
       fragment.session = s.session;
       return put(channel_with(s.partner), fragment);
     }
     case Send::kEnd: {
       const auto& s = std::get<Lingering>(state);
-      return put(channel_with(s.partner), End{config.id, s.partner, s.session});
+      return put(channel_with(s.partner), End{id, s.partner, s.session});
     }
   }
 }
@@ -216,7 +222,7 @@ void Communication::Impl::send_rejections(Time now, AirOutputs& outputs) {
   for (const Refuse& refuse : refusals) {
     if (!contacts.may_reject(refuse.to, now)) continue;
     const Channel channel = refuse.on_private_channel ? channel_with(refuse.to) : kCommonChannel;
-    outputs.frames.push_back({channel, encode(Reject{config.id, refuse.to, refuse.session, refuse.refusal})});
+    outputs.frames.push_back({channel, encode(Reject{id, refuse.to, refuse.session, refuse.refusal})});
   }
 }
 
@@ -233,11 +239,12 @@ Channel Communication::Impl::tuned() const {
 
 /// Robots are silent to one who listens elsewhere, and between their WAITs.
 bool Communication::Impl::is_robot_near(Time now) const {
-  const Time remembered = listened == kCommonChannel ? Time{config.wait.period} : kRemember;
+  const Time remembered = listened == kCommonChannel ? Time{wait.period} : kRemember;
   return robot_heard && now - *robot_heard <= remembered;
 }
 
-Communication::Communication(const Config& config) : impl_{std::make_unique<Impl>(config)} {}
+Communication::Communication(const CommunicationSettings& settings)
+    : impl_{std::make_unique<Impl>(settings)} {}
 Communication::~Communication() = default;
 Communication::Communication(Communication&&) noexcept = default;
 Communication& Communication::operator=(Communication&&) noexcept = default;

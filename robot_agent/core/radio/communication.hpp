@@ -5,11 +5,19 @@
 #include <optional>
 #include <span>
 
-#include "robot_agent/core/config.hpp"
 #include "robot_agent/core/path/path.hpp"
 #include "robot_agent/core/radio/frames/messages.hpp"
+#include "robot_agent/core/radio/settings.hpp"
 
 namespace caravan::agent {
+
+/// What a Communication goes by.
+struct CommunicationSettings {
+  RobotId id{1};
+  SharingSettings sharing{};
+  WaitSettings wait{};
+  Air air{};
+};
 
 /// What the radio side of an agent needs to know in a step.
 struct AirInputs {
@@ -26,7 +34,7 @@ struct AirOutputs {
   std::vector<Frame> frames;  ///< WAIT first, then at most one negotiation or session frame, then rejections
   Channel tuned;
   bool stand_still = false;  ///< negotiating or in session: the robot must stop
-  /// Another robot was heard in this step; one heard before is remembered for one wait_period, and for 0.2 s
+  /// Another robot was heard in this step; one heard before is remembered for one WAIT period, and for 0.2 s
   /// while tuned away.
   bool robot_near = false;
   std::vector<Wait> robots;      ///< the WAITs heard in this step
@@ -38,11 +46,11 @@ struct AirOutputs {
 /// The radio side of an agent: presence (WAIT), pairing (Algorithms 5 and 6) and path exchange.
 /// docs/protocol.md is normative.
 ///
-/// Presence works in every sharing mode; pairing begins at config.sharing_starts. Whatever arrives, or does
+/// Presence works in every sharing mode; pairing begins at SharingSettings::starts. Whatever arrives, or does
 /// not, it stands still for at most accept_attempts * accept_period + session_timer at a time.
 class Communication {
  public:
-  explicit Communication(const Config& config);
+  explicit Communication(const CommunicationSettings& settings);
   ~Communication();
   Communication(Communication&&) noexcept;
   Communication& operator=(Communication&&) noexcept;

@@ -12,11 +12,11 @@ using namespace std::chrono_literals;
 constexpr RobotId kPartner{7};
 
 struct CanCommunicate : testing::Test {
-  Config config;
+  SharingSettings sharing;
   Contacts contacts;
   Time now = 20min;
   [[nodiscard]] bool may(Mode own, Mode partners) const {
-    return can_communicate(config, contacts, own, kPartner, partners, now);
+    return can_communicate(sharing, contacts, own, kPartner, partners, now);
   }
 };
 
@@ -28,7 +28,7 @@ TEST_F(CanCommunicate, InFullModeOneOfTheTwoMustHaveAPath) {  // P-20
 }
 
 TEST_F(CanCommunicate, InPartialModeExactlyOneOfTheTwoMustHaveAPath) {  // P-20
-  config.sharing.mode = Sharing::kPartial;
+  sharing.mode = Sharing::kPartial;
   EXPECT_FALSE(may(Mode::kExplore, Mode::kExplore));
   EXPECT_TRUE(may(Mode::kExplore, Mode::kTransport));
   EXPECT_TRUE(may(Mode::kTransport, Mode::kExplore));
@@ -36,15 +36,15 @@ TEST_F(CanCommunicate, InPartialModeExactlyOneOfTheTwoMustHaveAPath) {  // P-20
 }
 
 TEST_F(CanCommunicate, InModeNoneNobodyPairs) {  // P-20
-  config.sharing.mode = Sharing::kNone;
+  sharing.mode = Sharing::kNone;
   EXPECT_FALSE(may(Mode::kExplore, Mode::kTransport));
   EXPECT_FALSE(may(Mode::kTransport, Mode::kTransport));
 }
 
 TEST_F(CanCommunicate, NobodyPairsBeforeSharingStarts) {  // P-21
-  now = config.sharing.starts - 1ns;
+  now = sharing.starts - 1ns;
   EXPECT_FALSE(may(Mode::kExplore, Mode::kTransport));
-  now = config.sharing.starts;
+  now = sharing.starts;
   EXPECT_TRUE(may(Mode::kExplore, Mode::kTransport));
 }
 
@@ -52,7 +52,7 @@ TEST_F(CanCommunicate, ARobotToBeAvoidedIsEligibleAgainAtTheMomentSet) {  // P-2
   contacts.avoid_until(kPartner, now + 10min);
   contacts.avoid_until(kPartner, now + 1s);  // never shortens
   EXPECT_FALSE(may(Mode::kTransport, Mode::kTransport));
-  EXPECT_TRUE(can_communicate(config, contacts, Mode::kTransport, RobotId{8}, Mode::kTransport, now));
+  EXPECT_TRUE(can_communicate(sharing, contacts, Mode::kTransport, RobotId{8}, Mode::kTransport, now));
   now += 10min - 1ns;
   EXPECT_FALSE(may(Mode::kTransport, Mode::kTransport));
   now += 1ns;
@@ -68,7 +68,7 @@ TEST(Contacts, AllowOneRejectionASecondToEachRobot) {  // P-34
 }
 
 TEST(PrivateChannel, IsDistinctForAllPairsOfAThousandRobotsAtTheDefaultChannelCount) {  // P-35
-  const std::uint32_t count = Config{}.air.channel_count;
+  const std::uint32_t count = Air{}.channel_count;
   std::vector<bool> taken(count);
   for (std::uint16_t high = 2; high <= 1000; ++high) {
     for (std::uint16_t low = 1; low < high; ++low) {

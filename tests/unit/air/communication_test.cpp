@@ -49,12 +49,12 @@ struct CommunicationTest : testing::Test {
     std::vector<Path> received;
     std::vector<std::string> sent;  // without WAITs
   };
-  Config config;
+  CommunicationSettings config;
   std::map<std::uint16_t, Robot> robots;
   Time now = 20min;
 
   Robot& add(std::uint16_t id, Path path) {
-    Config own = config;
+    CommunicationSettings own = config;
     own.id = RobotId{id};
     return robots.emplace(id, Robot{Communication{own}, std::move(path), {}, {}, {}, {}}).first->second;
   }
@@ -139,7 +139,7 @@ TEST_F(CommunicationTest, WaitGoesOutOncePerWaitPeriod) {  // P-1
 }
 
 /// Robot 3, told to be where `place` says at each step, hears a WAIT of robot 7 in each when it is `near`.
-int waits_of_a_robot(Config config, bool near, const std::function<Whereabouts(int)>& place) {
+int waits_of_a_robot(CommunicationSettings config, bool near, const std::function<Whereabouts(int)>& place) {
   config.id = RobotId{3};
   Communication communication{config};
   const Path none;
@@ -307,8 +307,8 @@ TEST_F(CommunicationTest, PresenceWorksInModeNone) {  // P-1, P-4, P-20
 
 TEST_F(CommunicationTest, TellsWhereItIsInItsWaitAndHandsOnWhatOthersTell) {  // P-9
   const Whereabouts place{{-21500, -22000}, 1571, 975, -300};
-  Communication three{Config{.id = RobotId{3}}};
-  Communication seven{Config{.id = RobotId{7}}};
+  Communication three{CommunicationSettings{.id = RobotId{3}}};
+  Communication seven{CommunicationSettings{.id = RobotId{7}}};
   const Path none;
   const AirOutputs told = three.step({.now = now, .heard = {}, .own_path = none, .whereabouts = place});
   const AirOutputs heard = seven.step({.now = now, .heard = arrive(told.frames), .own_path = none});

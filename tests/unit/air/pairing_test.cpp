@@ -17,12 +17,6 @@ constexpr RobotId kOther{7};
 constexpr Time kNow = 1000s;
 constexpr std::uint16_t kSession = 77;
 
-Config config() {
-  Config result;
-  result.id = kMe;
-  return result;
-}
-
 WaitHeard wait(RobotId from, bool eligible, Engagement engagement = Engagement::kFree, RobotId partner = {}) {
   return {{from, Mode::kTransport, engagement, partner}, eligible};
 }
@@ -38,7 +32,7 @@ InSession in_session(bool confirmed) { return {kHigh, kSession, false, confirmed
 Lingering lingering() { return {kHigh, kSession, kNow + 500ms}; }
 
 Decision decide(const State& state, const PairingEvent& event, Time now = kNow) {
-  return Pairing{config()}.advance(state, event, now);
+  return Pairing{kMe, {}, Time{0}}.advance(state, event, now);
 }
 template <typename Expected>
 ::testing::AssertionResult is(const State& state) {

@@ -36,9 +36,9 @@ bool Contacts::may_reject(RobotId robot, Time now) {
   return true;
 }
 
-bool can_communicate(const Config& config, const Contacts& contacts, Mode own, RobotId partner, Mode partners,
-                     Time now) {
-  if (now < config.sharing.starts || !may_pair(config.sharing.mode, own, partners)) return false;
+bool can_communicate(const SharingSettings& sharing, const Contacts& contacts, Mode own, RobotId partner,
+                     Mode partners, Time now) {
+  if (now < sharing.starts || !may_pair(sharing.mode, own, partners)) return false;
   const Contact* contact = contacts.find(partner);
   return contact == nullptr || now >= contact->again_from;
 }

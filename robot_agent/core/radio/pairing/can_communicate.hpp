@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "robot_agent/core/config.hpp"
+#include "robot_agent/core/radio/settings.hpp"
 
 namespace caravan::agent {
 
@@ -30,10 +30,10 @@ class Contacts {
 
 /// Algorithm 5 with the three modes: may this robot pair with that one now?
 ///
-/// Nobody before sharing_starts and nobody in mode none; EXPLORE with EXPLORE never; in partial mode
+/// Nobody before SharingSettings::starts and nobody in mode none; EXPLORE with EXPLORE never; in partial mode
 /// TRANSPORT with TRANSPORT never; nobody within recontact_after of a completed exchange with it, or on hold.
-[[nodiscard]] bool can_communicate(const Config& config, const Contacts& contacts, Mode own, RobotId partner,
-                                   Mode partners, Time now);
+[[nodiscard]] bool can_communicate(const SharingSettings& sharing, const Contacts& contacts, Mode own,
+                                   RobotId partner, Mode partners, Time now);
 
 /// The channel that only these two robots use: 1 + (pair index mod (channel_count - 1)), with the pair index
 /// hi (hi - 1) / 2 + lo. Distinct for all pairs of ids up to 1447 at 2^20 channels.

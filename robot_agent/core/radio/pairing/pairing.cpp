@@ -152,12 +152,12 @@ struct Pairing::Rules {
   }
 };
 
-Pairing::Pairing(const Config& config)
-    : id_{config.id},
-      accept_period_{config.sharing.accept_period},
-      accept_attempts_{config.sharing.accept_attempts},
-      session_timer_{config.sharing.session_timer},
-      silence_{kSilence + 2 * config.wait.period} {}
+Pairing::Pairing(RobotId id, const SharingSettings& sharing, Time wait_period)
+    : id_{id},
+      accept_period_{sharing.accept_period},
+      accept_attempts_{sharing.accept_attempts},
+      session_timer_{sharing.session_timer},
+      silence_{kSilence + 2 * wait_period} {}
 
 Decision Pairing::advance(const State& state, const PairingEvent& event, Time now) const {
   const Rules rules{*this, now};

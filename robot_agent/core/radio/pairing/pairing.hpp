@@ -4,8 +4,8 @@
 #include <optional>
 #include <variant>
 
-#include "robot_agent/core/config.hpp"
 #include "robot_agent/core/radio/frames/messages.hpp"
+#include "robot_agent/core/radio/settings.hpp"
 
 /// Algorithm 6: how two robots agree to exchange paths, and when they stop trying. docs/protocol.md, section
 /// "Pairing", is normative.
@@ -132,7 +132,8 @@ struct Decision {
 /// kRest.
 class Pairing {
  public:
-  explicit Pairing(const Config& config);
+  /// @param wait_period  longest time between two WAITs of a partner
+  Pairing(RobotId id, const SharingSettings& sharing, Time wait_period);
 
   /// Pure: equal arguments, equal decision.
   [[nodiscard]] Decision advance(const State& state, const PairingEvent& event, Time now) const;
