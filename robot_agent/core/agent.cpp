@@ -16,10 +16,7 @@
 namespace caravan::agent {
 namespace {
 
-using namespace std::chrono_literals;
-
 constexpr std::uint64_t kDrivingStream = 0x6472697665ULL;
-constexpr Time kRemembersRobot = 200ms;
 
 bool knows_where_it_is(const Sensors& sensors) {
   return std::isfinite(sensors.p_WB.x()) && std::isfinite(sensors.p_WB.y()) &&
@@ -37,9 +34,10 @@ struct Agent::Impl {
       : config{its_config},
         communication{{config.id, config.sharing, config.wait, config.air}},
         driver{{config.body, config.driving, config.meeting, config.keep_clear, config.passage}},
-        neighbours{config.wait.period},
+        neighbours{config.neighbours, config.wait.period},
         surfaces{config.surfaces, config.patience, config.obstacles.places > 0},
-        unseen_obstacles{config.obstacles, config.patience, config.body, config.smoothing.vision_radius_m},
+        unseen_obstacles{{config.obstacles, config.touch, config.vanishing_echo, config.patience, config.body,
+                          config.smoothing.vision_radius_m}},
         random{config.seed, pure::mix_all(kDrivingStream, config.id.value)},
         task{Explorer{{config.task, config.exploration, config.recording, config.passage, config.body}}} {}
 
@@ -79,13 +77,13 @@ std::optional<Perception> Agent::Impl::perceive(const Inputs& inputs, bool robot
   if (robot_heard) robot_last_heard = inputs.now;
   if (!knows_where_it_is(inputs.sensors)) return std::nullopt;
   last_p_WB = inputs.sensors.p_WB;
-  const Time remembers = std::max(kRemembersRobot, config.wait.period + config.wait.period / 5);
+  const Time remembers = std::max(config.neighbours.presence, config.wait.period + config.wait.period / 5);
   const bool near =
       config.robots_are_solid && robot_last_heard && inputs.now - *robot_last_heard <= remembers;
   std::vector<Neighbour> robots;
   if (config.robots_are_solid) robots = neighbours.now(inputs.now);
-  Perception seen =
-      agent::perceive(inputs.now, inputs.sensors, near, std::move(robots), config.sonars, config.body);
+  Perception seen = agent::perceive(inputs.now, inputs.sensors, near, std::move(robots), config.sonars,
+                                    config.neighbours, config.body);
   if (seen.around.is_blind()) return std::nullopt;
   surfaces.see(seen);
   seen.surfaces = surfaces.near(seen.p_WB, seen.now);

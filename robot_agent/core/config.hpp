@@ -24,8 +24,11 @@ struct Config {
   Driving driving;
   MeetingRule meeting;
   KeepClear keep_clear;
+  NeighbourMemory neighbours;
   SurfaceMemory surfaces;
   ObstacleMemory obstacles;
+  TouchSensing touch;
+  EchoLoss vanishing_echo;
   PatienceSettings patience;
   RecordingSettings recording;
   Smoothing smoothing;

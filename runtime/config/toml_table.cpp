@@ -153,6 +153,23 @@ void TomlTable::read(std::string_view key, std::vector<std::array<double, 2>>& v
   }
 }
 
+void TomlTable::read(std::string_view key, std::vector<double>& value, Range range) {
+  constexpr std::size_t kMost = 32;
+  const toml::node* node = find(key);
+  if (node == nullptr) return;
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->empty() || array->size() > kMost) {
+    fail_at(node, key, "must be a list of 1 to " + std::to_string(kMost) + " numbers");
+  }
+  value.clear();
+  for (const toml::node& element : *array) {
+    std::string wrong;
+    const auto number = number_in(element, range, wrong);
+    if (!number) fail_at(&element, key, wrong);
+    value.push_back(*number);
+  }
+}
+
 void TomlTable::read_choice(std::string_view key, std::size_t& value,
                             std::initializer_list<std::string_view> words) {
   const toml::node* node = find(key);

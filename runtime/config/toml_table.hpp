@@ -54,6 +54,8 @@ class TomlTable {
   void read(std::string_view key, std::array<double, 2>& value, Range range = {});
   /// A list of such pairs.
   void read(std::string_view key, std::vector<std::array<double, 2>>& value, Range range = {});
+  /// A list of 1 to 32 numbers.
+  void read(std::string_view key, std::vector<double>& value, Range range = {});
   /// One of the given words; sets `value` to its index.
   void read_choice(std::string_view key, std::size_t& value, std::initializer_list<std::string_view> words);
 

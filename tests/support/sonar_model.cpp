@@ -83,7 +83,7 @@ agent::Perception look(std::span<const Wall> walls, const Point& p_WB, double ya
   sensors.sonar_range_m = sonar_ranges_m(walls, p_WB, yaw_WB_rad);
   sensors.p_WB = p_WB;
   sensors.yaw_WB_rad = yaw_WB_rad;
-  return agent::perceive(agent::Time{0}, sensors, false, {}, {}, {});
+  return agent::perceive(agent::Time{0}, sensors, false, {}, {}, {}, {});
 }
 
 }  // namespace caravan::test

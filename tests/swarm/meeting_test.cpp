@@ -34,7 +34,7 @@ class Floor {
   explicit Floor(std::uint64_t seed) : random_{seed} {}
 
   void add(const Point& at, double yaw_rad, const Point& goal) {
-    robots_.push_back({Driver{DriverSettings{}}, Neighbours{Time{0}}, {at, yaw_rad}, {}, goal});
+    robots_.push_back({Driver{DriverSettings{}}, Neighbours{{}, Time{0}}, {at, yaw_rad}, {}, goal});
   }
   void step() {
     const std::vector<Robot> before = robots_;
@@ -80,7 +80,7 @@ class Floor {
     sensors.p_WB = robot.body.p_WB;
     sensors.yaw_WB_rad = wrapped(robot.body.yaw_WB_rad);
     sensors.sonar_range_m = test::sonar_ranges_m(walls, sensors.p_WB, sensors.yaw_WB_rad);
-    const Perception seen = perceive(now_, sensors, near, robot.neighbours.now(now_), {}, body_);
+    const Perception seen = perceive(now_, sensors, near, robot.neighbours.now(now_), {}, {}, body_);
     const Motion motion = robot.driver.drive_to(robot.goal, seen, random_);
     hear(i, before);
     move(robot, motion.wheels);

@@ -24,8 +24,8 @@ Point new_location_to_explore(const Perception& seen, const Exploration& explora
     const double bearing = random.uniform(-spread, spread);
     const double clearance = seen.around.clearance_m({.bearing_rad = bearing,
                                                       .half_width_m = 0.5 * passage.corridor_m,
-                                                      .surface_m = 0.2,
-                                                      .surface_per_metre = 0.3});
+                                                      .surface_m = passage.surface_m,
+                                                      .surface_per_metre = passage.surface_per_metre});
     if (clearance > best_clearance) {
       best_clearance = clearance;
       best_bearing = bearing;

@@ -38,8 +38,8 @@ bool is_reachable(const Perception& seen, const Point& candidate, const Passage&
   const double distance = seen.distance_to(candidate);
   const Corridor corridor{.bearing_rad = bearing,
                           .half_width_m = 0.5 * passage.corridor_m,
-                          .surface_m = 0.2,
-                          .surface_per_metre = 0.3};
+                          .surface_m = passage.surface_m,
+                          .surface_per_metre = passage.surface_per_metre};
   return seen.around.clearance_m(corridor) > distance + body.ahead_m;
 }
 

@@ -10,11 +10,7 @@
 namespace caravan::agent {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr Time kRemembers = 400ms;
-constexpr Time kMovesOn = 200ms;       // who has not been heard for longer may have stopped
-constexpr double kFarthest_m = 1.0e6;  // from the origin
+constexpr double kFarthest_m = 1.0e6;  // from the origin; a frame holds millimetres in 32 bits
 
 std::int16_t thousandths(double value) {
   constexpr double kMost = std::numeric_limits<std::int16_t>::max();
@@ -40,7 +36,9 @@ Neighbour carried_on(RobotId robot, const Whereabouts& told, Time after) {
                   after);
 }
 
-Neighbours::Neighbours(Time wait_period) : remembers_{std::max(kRemembers, wait_period + wait_period / 5)} {}
+Neighbours::Neighbours(const NeighbourMemory& memory, Time wait_period)
+    : remembers_{std::max(memory.duration, wait_period + wait_period / 5)},
+      moves_on_{std::max(memory.extrapolation, remembers_ - memory.extrapolation)} {}
 
 void Neighbours::hear(const Wait& wait, Time sent) {
   if (!wait.whereabouts) return;
@@ -59,8 +57,7 @@ std::vector<Neighbour> Neighbours::now(Time now) {
   std::vector<Neighbour> result;
   result.reserve(told_.size());
   for (const Told& told : told_) {
-    result.push_back(
-        moved_on(told.neighbour, std::min(now - told.at, std::max(kMovesOn, remembers_ - kMovesOn))));
+    result.push_back(moved_on(told.neighbour, std::min(now - told.at, moves_on_)));
   }
   return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "robot_agent/core/radio/frames/messages.hpp"
+#include "robot_agent/core/sensing/settings.hpp"
 
 namespace caravan::agent {
 
@@ -21,7 +22,7 @@ struct Neighbour {
 class Neighbours {
  public:
   /// @param wait_period  longest time between two WAITs of a robot
-  explicit Neighbours(Time wait_period);
+  Neighbours(const NeighbourMemory& memory, Time wait_period);
 
   /// @param sent when it was where it says
   void hear(const Wait& wait, Time sent);
@@ -34,6 +35,7 @@ class Neighbours {
     Time at;
   };
   Time remembers_;
+  Time moves_on_;
   std::vector<Told> told_;  // by id
 };
 

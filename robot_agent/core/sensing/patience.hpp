@@ -5,17 +5,13 @@
 
 namespace caravan::agent {
 
-/// Notices a robot that gets nowhere. What it remembers may be wrong then, and is forgotten within
-/// kForgets_m.
+/// Notices a robot that gets nowhere. What it remembers within forget_radius_m() may be wrong then.
 class Patience {
  public:
-  static constexpr double kForgets_m = 1.0;
-
   explicit Patience(const PatienceSettings& settings) : settings_{settings} {}
   /// To be called in every step. @return true when the robot has not come on for so long; then anew
   [[nodiscard]] bool is_lost(const Perception& seen) {
-    constexpr double kSomewhere_m = 0.5;
-    if (seen.distance_to(got_to_) > kSomewhere_m) {
+    if (seen.distance_to(got_to_) > settings_.somewhere_m) {
       got_to_ = seen.p_WB;
       got_there_ = seen.now;
     }
@@ -23,6 +19,7 @@ class Patience {
     got_there_ = seen.now;
     return true;
   }
+  [[nodiscard]] double forget_radius_m() const { return settings_.forget_radius_m; }
 
  private:
   PatienceSettings settings_;

@@ -4,22 +4,14 @@
 #include <algorithm>
 
 namespace caravan::agent {
-namespace {
-
-// An echo this near to a robot's body is that robot's; the sonar does not say where in its cone.
-constexpr double kExplains_m = 0.1;
-constexpr double kExplainsPerMetre = 0.2;
-
-}  // namespace
-
 Perception perceive(Time now, const Sensors& sensors, bool robot_near, std::vector<Neighbour> robots,
-                    const Sonars& sonars, const Body& body) {
+                    const Sonars& sonars, const NeighbourMemory& memory, const Body& body) {
   const Surroundings around{sensors, sonars};
   const Point ahead = direction(sensors.yaw_WB_rad);
   const Surroundings still = around.without([&](const Point& p_B) {
     const Point p_W = sensors.p_WB + p_B.x() * ahead + p_B.y() * Point{-ahead.y(), ahead.x()};
     return std::ranges::any_of(robots, [&](const Neighbour& robot) {
-      const double blur = kExplains_m + kExplainsPerMetre * p_B.norm();
+      const double blur = memory.echo_m + memory.echo_per_metre * p_B.norm();
       return distance_m(Pose{robot.p_WB, robot.yaw_WB_rad}, p_W, body) < blur;
     });
   });

@@ -32,6 +32,7 @@ struct Perception {
 
 /// Puts one step's sensors and what was heard together. @pre position and heading are known
 [[nodiscard]] Perception perceive(Time now, const Sensors& sensors, bool robot_near,
-                                  std::vector<Neighbour> robots, const Sonars& sonars, const Body& body);
+                                  std::vector<Neighbour> robots, const Sonars& sonars,
+                                  const NeighbourMemory& memory, const Body& body);
 
 }  // namespace caravan::agent

@@ -6,19 +6,16 @@
 namespace caravan::agent {
 namespace {
 
-constexpr double kSide_m = 0.05;      // of a square; one place in each
-constexpr double kClose_m = 0.4;      // what is 0.13 m high, or less, vanishes before
-constexpr double kHigh_m = 0.4;       // around what was seen from close by
-constexpr double kReach_m = 0.8;      // of keep_clear()
-constexpr std::size_t kMost = 20000;  // places; the walls of a large hall have fewer
-
-double square_of(double along_m) { return std::floor(along_m / kSide_m); }
+// A bound on memory, not on behaviour: the walls of a large hall have fewer places.
+constexpr std::size_t kMost = 20000;
 
 bool within(const Point& a, const Point& b, double distance_m) {
   return (a - b).squaredNorm() < distance_m * distance_m;
 }
 
 }  // namespace
+
+double SurfaceMap::square_of(double along_m) const { return std::floor(along_m / memory_.cell_m); }
 
 template <typename Visit>
 void SurfaceMap::visit_within(const Point& p_W, double radius_m, const Visit& visit) const {
@@ -32,7 +29,9 @@ void SurfaceMap::visit_within(const Point& p_W, double radius_m, const Visit& vi
   }
 }
 
-void SurfaceMap::see(const Point& at_W, double range_m, Time now) { remember(at_W, now, range_m < kClose_m); }
+void SurfaceMap::see(const Point& at_W, double range_m, Time now) {
+  remember(at_W, now, range_m < memory_.high_range_m);
+}
 
 void SurfaceMap::touch(const Point& at_W, Time now) { remember(at_W, now, false); }
 
@@ -50,13 +49,14 @@ void SurfaceMap::forget_around(const Point& p_W, double radius_m) {
 
 bool SurfaceMap::is_high(const Point& at_W) const {
   bool high = false;
-  visit_within(at_W, kHigh_m, [&](const Square&, const Place& place) { high = high || place.close; });
+  visit_within(at_W, memory_.high_radius_m,
+               [&](const Square&, const Place& place) { high = high || place.close; });
   return high;
 }
 
 void SurfaceMap::add_near(const Point& p_WB, const Span& seen, std::vector<Point>& places) const {
   if (seen.from >= seen.to) return;
-  visit_within(p_WB, kReach_m, [&](const Square&, const Place& place) {
+  visit_within(p_WB, memory_.reach_m, [&](const Square&, const Place& place) {
     if (place.seen >= seen.from && place.seen < seen.to) places.push_back(place.at);
   });
 }

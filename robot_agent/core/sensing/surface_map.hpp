@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "robot_agent/core/types.hpp"
+#include "robot_agent/core/sensing/settings.hpp"
 
 namespace caravan::agent {
 
@@ -17,11 +17,13 @@ namespace caravan::agent {
 /// lower part of the cone, and none from close by.
 class SurfaceMap {
  public:
+  explicit SurfaceMap(const SurfaceMemory& memory) : memory_{memory} {}
+
   /// A sonar saw something here that is no robot. @param range_m  from the sonar
   void see(const Point& at_W, double range_m, Time now);
   /// The robot touched something here.
   void touch(const Point& at_W, Time now);
-  /// True when something was seen from close by, ever, within 0.4 m of this place: it is high.
+  /// True when something was seen from close by, ever, near this place: it is high.
   [[nodiscard]] bool is_high(const Point& at_W) const;
   struct Span {
     Time from, to;
@@ -38,9 +40,11 @@ class SurfaceMap {
     bool close = false;  // once seen from close by
   };
   using Square = std::pair<double, double>;  // whole numbers; no position overflows them
+  [[nodiscard]] double square_of(double along_m) const;
   void remember(const Point& at_W, Time now, bool close);
   template <typename Visit>
   void visit_within(const Point& p_W, double radius_m, const Visit& visit) const;
+  SurfaceMemory memory_;
   std::map<Square, Place> places_;
 };
 

@@ -8,24 +8,8 @@
 namespace caravan::agent {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr Time kRemembers = 20s;
-constexpr double kFarthest_m = 3.0;  // from the robot
-constexpr double kExact_m = 1.2;     // beyond this range an echo does not say well enough where it is from
-constexpr double kSamePlace_m = 0.05;
-constexpr double kReach_m = 0.8;
-constexpr double kRobot_m = 0.5;  // around the axle of one
-
-// Two echoes of a sonar on one wall tell its direction when they are this far apart,
-constexpr double kShortest_m = 0.08;
-constexpr double kLongest_m = 0.4;
-constexpr Time kFollows = 1s;     // this soon after each other,
-constexpr double kAcross = 0.75;  // and on a line that the sonar could see (cosine)
-constexpr std::array<double, 3> kGoesOn_m = {0.1, 0.2, 0.3};
-
-constexpr double kInFront_m = 0.02;
-constexpr std::array<double, 5> kAcrossTheFront = {-0.5, -0.25, 0.0, 0.25, 0.5};  // of the body's width
+// Of the body's width: close enough together that the robot does not drive between two of them.
+constexpr std::array<double, 5> kAcrossTheFront = {-0.5, -0.25, 0.0, 0.25, 0.5};
 
 bool within(const Point& a, const Point& b, double distance_m) {
   return (a - b).squaredNorm() < distance_m * distance_m;
@@ -39,7 +23,10 @@ Point turned(const Point& v_B, const Point& ahead_W) {
 }  // namespace
 
 Surfaces::Surfaces(const SurfaceMemory& memory, const PatienceSettings& patience, bool recognises_high)
-    : memory_{memory.duration}, patience_{patience}, has_map_{memory_ > kRemembers || recognises_high} {}
+    : memory_{memory},
+      patience_{patience},
+      has_map_{memory.duration > memory.recent || recognises_high},
+      map_{memory} {}
 
 void Surfaces::see(const Perception& seen) {
   forget(seen);
@@ -48,7 +35,7 @@ void Surfaces::see(const Perception& seen) {
   if (seen.robot_near && seen.robots.empty()) return;
   const Point ahead = direction(seen.yaw_WB_rad);
   for (const Echo& echo : seen.still.echoes()) {
-    if (echo.range_m > kExact_m) continue;
+    if (echo.range_m > memory_.exact_range_m) continue;
     const Point at = seen.p_WB + turned(echo.p_B, ahead);
     remember({at, seen.now});
     if (has_map_) map_.see(at, echo.range_m, seen.now);
@@ -58,18 +45,19 @@ void Surfaces::see(const Perception& seen) {
 
 void Surfaces::forget(const Perception& seen) {
   std::erase_if(places_, [&](const Place& place) {
-    if (seen.now - place.seen > kRemembers || !within(place.at, seen.p_WB, kFarthest_m)) return true;
-    return std::ranges::any_of(
-        seen.robots, [&](const Neighbour& robot) { return within(place.at, robot.p_WB, kRobot_m); });
+    if (seen.now - place.seen > memory_.recent || !within(place.at, seen.p_WB, memory_.recent_m)) return true;
+    return std::ranges::any_of(seen.robots, [&](const Neighbour& robot) {
+      return within(place.at, robot.p_WB, memory_.robot_radius_m);
+    });
   });
   if (!has_map_) return;
-  if (patience_.is_lost(seen)) map_.forget_around(seen.p_WB, Patience::kForgets_m);
-  for (const Neighbour& robot : seen.robots) map_.forget_around(robot.p_WB, kRobot_m);
+  if (patience_.is_lost(seen)) map_.forget_around(seen.p_WB, patience_.forget_radius_m());
+  for (const Neighbour& robot : seen.robots) map_.forget_around(robot.p_WB, memory_.robot_radius_m);
 }
 
 void Surfaces::remember(const Place& place) {
-  const auto known =
-      std::ranges::find_if(places_, [&](const Place& one) { return within(one.at, place.at, kSamePlace_m); });
+  const auto known = std::ranges::find_if(
+      places_, [&](const Place& one) { return within(one.at, place.at, memory_.same_place_m); });
   if (known == places_.end()) {
     places_.push_back(place);
   } else {
@@ -81,19 +69,20 @@ void Surfaces::follow(std::size_t sonar, const Point& across_W, const Point& at,
   Place& before = followed_[sonar];
   const Point along = at - before.at;
   const double length = along.norm();
-  if (now - before.seen > kFollows || length > kLongest_m) {
+  if (now - before.seen > memory_.wall_time || length > memory_.wall_longest_m) {
     before = {at, now};
     return;
   }
-  if (length < kShortest_m || std::abs(along.dot(across_W)) < kAcross * length) return;
-  for (const double on : kGoesOn_m) goes_on_.emplace_back(at + (on / length) * along);
-  if (length > 2.0 * kShortest_m) before = {at - (kShortest_m / length) * along, now};
+  if (length < memory_.wall_shortest_m || std::abs(along.dot(across_W)) < memory_.wall_cosine * length)
+    return;
+  for (const double on : memory_.wall_extension_m) goes_on_.emplace_back(at + (on / length) * along);
+  if (length > 2.0 * memory_.wall_shortest_m) before = {at - (memory_.wall_shortest_m / length) * along, now};
 }
 
 void Surfaces::touch_ahead(const Perception& seen, const Body& body) {
   const Point ahead = direction(seen.yaw_WB_rad);
   for (const double part : kAcrossTheFront) {
-    const Point at_B{body.ahead_m + kInFront_m, part * body.width_m};
+    const Point at_B{body.ahead_m + memory_.touched_ahead_m, part * body.width_m};
     const Point at = seen.p_WB + turned(at_B, ahead);
     remember({at, seen.now});
     if (has_map_) map_.touch(at, seen.now);
@@ -103,11 +92,11 @@ void Surfaces::touch_ahead(const Perception& seen, const Body& body) {
 std::vector<Point> Surfaces::near(const Point& p_WB, Time now) const {
   std::vector<Point> result;
   for (const Place& place : places_) {
-    if (within(place.at, p_WB, kReach_m)) result.push_back(place.at);
+    if (within(place.at, p_WB, memory_.reach_m)) result.push_back(place.at);
   }
-  map_.add_near(p_WB, {now - memory_, now - kRemembers}, result);
+  map_.add_near(p_WB, {now - memory_.duration, now - memory_.recent}, result);
   for (const Point& at : goes_on_) {
-    if (within(at, p_WB, kReach_m)) result.push_back(at);
+    if (within(at, p_WB, memory_.reach_m)) result.push_back(at);
   }
   return result;
 }

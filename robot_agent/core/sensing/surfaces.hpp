@@ -30,6 +30,8 @@ class Surfaces {
   /// True when something near this place is as high as the sonars: they saw it from close by.
   /// @pre recognises_high
   [[nodiscard]] bool is_high(const Point& at_W) const { return map_.is_high(at_W); }
+  /// Within it places are told.
+  [[nodiscard]] double reach_m() const { return memory_.reach_m; }
   /// Places in W within reach of a body that drives and brakes.
   [[nodiscard]] std::vector<Point> near(const Point& p_WB, Time now) const;
 
@@ -41,7 +43,7 @@ class Surfaces {
   void forget(const Perception& seen);
   void remember(const Place& place);
   void follow(std::size_t sonar, const Point& across_W, const Point& at, Time now);
-  Time memory_;
+  SurfaceMemory memory_;
   Patience patience_;
   bool has_map_;
   SurfaceMap map_;

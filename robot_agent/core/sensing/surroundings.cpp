@@ -13,8 +13,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr double kOldest_s = 1.0;  // a robot at cruise has left the place that an older range is about
-constexpr double kOutermostFrontSonar = 50.0 * std::numbers::pi / 180.0;
+constexpr double kOutermostFrontSonar = 50.0 * std::numbers::pi / 180.0;  // of the fan, by the robot model
 
 struct Axis {
   Point p_B;
@@ -62,7 +61,7 @@ Surroundings::Surroundings(const Sensors& sensors, const Sonars& sonars)
       cone_per_metre_{std::tan(0.5 * sonars.aperture_rad)} {
   for (std::size_t i = 0; i < kSonarCount; ++i) {
     const double range = sensors.sonar_range_m[i];
-    if (sensors.sonar_age_s[i] > kOldest_s) continue;
+    if (sensors.sonar_age_s[i] > sonars.longest_age_s) continue;
     if (i < 8 && !std::isnan(range)) blind_ = false;
     if (!(range >= 0.0 && range < sonars.range_m)) continue;
     const Axis& axis = axes()[i];

@@ -8,13 +8,8 @@
 namespace caravan::agent {
 namespace {
 
-constexpr std::size_t kNow = 2;   // steps over which a speed is taken
-constexpr double kReached = 0.8;  // of what a wheel is told
-constexpr double kLost = 0.75;
-constexpr double kPushed_mps = 0.03;  // a base that turns on the spot
-constexpr Time kLongestGap = std::chrono::milliseconds{50};
-constexpr Time kSameTouch = std::chrono::milliseconds{500};
-constexpr double kSlowest_mps = 0.08;  // slower wheels say nothing
+// Steps over which a speed is taken: with the eight samples, the shape of a filter and no size.
+constexpr std::size_t kNow = 2;
 
 }  // namespace
 
@@ -29,18 +24,19 @@ bool TouchSensor::has_lost_speed(std::size_t wheel, double wheel_radius_m) const
   const double sign = samples_[0].told_mps[wheel] < 0.0 ? -1.0 : 1.0;
   double kept = std::abs(samples_[0].told_mps[wheel]);
   for (const Sample& sample : samples_) kept = std::min(kept, sign * sample.told_mps[wheel]);
-  if (kept < kSlowest_mps) return false;
+  if (kept < settings_.slowest_mps) return false;
   double reached = 0.0;
   for (std::size_t i = 1; i + kNow < samples_.size(); ++i) {
     reached = std::max(reached, sign * speed_mps(wheel, i, wheel_radius_m));
   }
-  return reached >= kReached * kept && sign * speed_mps(wheel, 0, wheel_radius_m) < kLost * kept;
+  return reached >= settings_.reached_share * kept &&
+         sign * speed_mps(wheel, 0, wheel_radius_m) < settings_.lost_share * kept;
 }
 
 bool TouchSensor::is_gapless() const {
   for (std::size_t i = 0; i + 1 < samples_.size(); ++i) {
     const Time gap = samples_[i].at - samples_[i + 1].at;
-    if (gap <= Time{0} || gap > kLongestGap) return false;
+    if (gap <= Time{0} || gap > settings_.longest_gap) return false;
   }
   return true;
 }
@@ -50,7 +46,7 @@ std::optional<Touch> TouchSensor::update(Time now, const Sensors& sensors, const
   std::shift_right(samples_.begin(), samples_.end(), 1);
   samples_[0] = {now, {sensors.left_wheel_rad, sensors.right_wheel_rad}, {told.left_mps, told.right_mps}};
   count_ = std::min(count_ + 1, samples_.size());
-  if (count_ < samples_.size() || !is_gapless() || now - last_touch_ < kSameTouch) return std::nullopt;
+  if (count_ < samples_.size() || !is_gapless() || now - last_touch_ < settings_.pause) return std::nullopt;
   const bool left = has_lost_speed(0, body.wheel_radius_m);
   const bool right = has_lost_speed(1, body.wheel_radius_m);
   if (!left && !right) return std::nullopt;
@@ -66,7 +62,7 @@ std::optional<Touch> TouchSensor::update(Time now, const Sensors& sensors, const
   // It turns: what a rear corner meets pushes the base forward, what a front corner meets backward.
   const double pushed = speed_mps(0, 0, body.wheel_radius_m) + speed_mps(1, 0, body.wheel_radius_m) -
                         told.left_mps - told.right_mps;
-  if (std::abs(pushed) < 2.0 * kPushed_mps) return std::nullopt;
+  if (std::abs(pushed) < 2.0 * settings_.pushed_mps) return std::nullopt;
   const double to_the_left = (told.right_mps > told.left_mps) == (pushed < 0.0) ? 1.0 : -1.0;
   return Touch{{pushed > 0.0 ? rear : body.ahead_m, to_the_left * side}, {0.0, to_the_left}};
 }

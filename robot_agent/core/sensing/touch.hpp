@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "robot_agent/core/body.hpp"
+#include "robot_agent/core/sensing/settings.hpp"
 #include "robot_agent/core/types.hpp"
 
 namespace caravan::agent {
@@ -17,14 +18,16 @@ struct Touch {
 };
 
 /// Notices by its wheels that the body runs into something: a wheel that turned as it was told is slowed to
-/// less than three quarters of it while the command stays.
+/// less than a share of it while the command stays.
 ///
 /// A robot whose motors accelerate slowly, or that is told to stop, loses nothing of what its wheels had
 /// reached. GPS and compass are not needed, so their noise does no harm. Wheels that slip instead are the
-/// StuckMonitor's, and so are sensor frames more than 50 ms apart: what is late by some of them looks like a
+/// StuckMonitor's, and so are sensor frames that are too far apart: what is late by some of them looks like a
 /// loss of speed.
 class TouchSensor {
  public:
+  explicit TouchSensor(const TouchSensing& settings) : settings_{settings} {}
+
   /// To be called in every step.
   /// @param told  the rim speeds of the step before
   /// @return once for each touch
@@ -41,6 +44,7 @@ class TouchSensor {
   [[nodiscard]] double speed_mps(std::size_t wheel, std::size_t before, double wheel_radius_m) const;
   [[nodiscard]] bool is_gapless() const;
   [[nodiscard]] bool has_lost_speed(std::size_t wheel, double wheel_radius_m) const;
+  TouchSensing settings_;
   std::array<Sample, 8> samples_{};  // the latest first
   std::size_t count_ = 0;
   Time last_touch_{-std::chrono::hours{1}};

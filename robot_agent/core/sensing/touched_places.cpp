@@ -6,9 +6,6 @@
 namespace caravan::agent {
 namespace {
 
-constexpr double kSamePlace_m = 0.05;
-constexpr double kStandsOn_m = 0.06;  // so deep inside the body nothing can be
-
 bool within(const Point& a, const Point& b, double distance_m) {
   return (a - b).squaredNorm() < distance_m * distance_m;
 }
@@ -17,8 +14,8 @@ bool within(const Point& a, const Point& b, double distance_m) {
 
 bool TouchedPlaces::add(const Point& at_W, const Point& towards_W) {
   const Place place{at_W, at_W + memory_.margin_m * towards_W};
-  const auto known =
-      std::ranges::find_if(places_, [&](const Place& one) { return within(one.at, at_W, kSamePlace_m); });
+  const auto known = std::ranges::find_if(
+      places_, [&](const Place& one) { return within(one.at, at_W, memory_.same_place_m); });
   if (known != places_.end()) {
     std::rotate(known, known + 1, places_.end());
     places_.back() = place;
@@ -30,8 +27,9 @@ bool TouchedPlaces::add(const Point& at_W, const Point& towards_W) {
 }
 
 void TouchedPlaces::stand_on(const Pose& pose, const Body& body) {
-  std::erase_if(places_,
-                [&](const Place& place) { return signed_distance_m(pose, place.at, body) < -kStandsOn_m; });
+  std::erase_if(places_, [&](const Place& place) {
+    return signed_distance_m(pose, place.at, body) < -memory_.overlap_m;
+  });
 }
 
 void TouchedPlaces::forget_around(const Point& p_W, double radius_m) {

@@ -9,6 +9,16 @@
 
 namespace caravan::agent {
 
+/// What UnseenObstacles go by.
+struct ObstacleSettings {
+  ObstacleMemory memory{};
+  TouchSensing touch{};
+  EchoLoss echo{};
+  PatienceSettings patience{};
+  Body body{};
+  double vision_radius_m = 6.0;  ///< what lies within it is planned round
+};
+
 /// Obstacles that the sonars do not see from close by: felt by the wheels, or noticed by an echo that
 /// vanishes, remembered for the whole run, and put beside the echoes for everything that drives and plans.
 ///
@@ -18,14 +28,12 @@ namespace caravan::agent {
 /// what it touched around it: places that are wrong cannot hold it for longer.
 class UnseenObstacles {
  public:
-  /// @param vision_radius_m  what lies within it is planned round
-  UnseenObstacles(const ObstacleMemory& memory, const PatienceSettings& patience, const Body& body,
-                  double vision_radius_m)
-      : memory_{memory},
-        body_{body},
-        vision_radius_m_{vision_radius_m},
-        places_{memory},
-        patience_{patience} {}
+  explicit UnseenObstacles(const ObstacleSettings& settings)
+      : settings_{settings},
+        sensor_{settings.touch},
+        vanishing_{settings.echo},
+        places_{settings.memory},
+        patience_{settings.patience} {}
 
   /// To be called in every step; completes `seen`.
   /// @param told  what the wheels were told in the step before
@@ -38,9 +46,7 @@ class UnseenObstacles {
  private:
   [[nodiscard]] bool is_explained(const Touch& touch, const Surfaces& surfaces, const Perception& seen) const;
   [[nodiscard]] std::optional<Point> expect(const Surfaces& surfaces, const Perception& seen);
-  ObstacleMemory memory_;
-  Body body_;
-  double vision_radius_m_;
+  ObstacleSettings settings_;
   TouchSensor sensor_;
   VanishingEcho vanishing_;
   TouchedPlaces places_;

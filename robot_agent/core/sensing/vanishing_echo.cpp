@@ -3,23 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 namespace caravan::agent {
 namespace {
 
-constexpr std::array<std::size_t, 2> kStraightAhead = {3, 4};  // sonars
-constexpr double kSeen_m = 2.1;
-constexpr double kOneThing_m = 0.3;  // between what the two see
-// What is lower by a hand's breadth vanishes at half a metre, what is flat at a metre.
-constexpr double kNearest_m = 0.5;
-constexpr double kFarthest_m = 1.3;
-constexpr double kGone_m = 0.3;  // farther than it should be
-constexpr double kStraight_rad = 0.12;
-constexpr double kApproach_m = 0.05;
-constexpr Time kAtOnce = std::chrono::milliseconds{500};  // both lose it
+constexpr std::array<std::size_t, 2> kStraightAhead = {3, 4};  // sonars: their mounts are the robot model's
 
 /// What each of the two sees, ahead of the base.
 std::array<double, 2> straight_ahead_m(const Surroundings& around) {
@@ -39,10 +29,11 @@ std::optional<double> VanishingEcho::update(const Perception& seen) {
   const auto [left, right] = straight_ahead_m(seen.around);
   const bool robot = straight_ahead_m(seen.still) != straight_ahead_m(seen.around) ||
                      (seen.robot_near && seen.robots.empty());
-  const bool turned = first_ && std::abs(wrapped(seen.yaw_WB_rad - first_->yaw_WB_rad)) > kStraight_rad;
+  const bool turned =
+      first_ && std::abs(wrapped(seen.yaw_WB_rad - first_->yaw_WB_rad)) > settings_.straight_rad;
   if (robot || turned) first_.reset();
   if (robot) return std::nullopt;
-  if (std::max(left, right) < kSeen_m && std::abs(left - right) < kOneThing_m) {
+  if (std::max(left, right) < settings_.seen_m && std::abs(left - right) < settings_.one_thing_m) {
     last_ = {seen.now, seen.p_WB, seen.yaw_WB_rad, std::min(left, right)};
     if (!first_) first_ = last_;
     return std::nullopt;
@@ -50,11 +41,13 @@ std::optional<double> VanishingEcho::update(const Perception& seen) {
   if (!first_) return std::nullopt;
   const Point ahead = direction(seen.yaw_WB_rad);
   const double expected = last_.ahead_m - ahead.dot(seen.p_WB - last_.p_WB);
-  const bool late = seen.now - last_.at > kAtOnce;
-  if (!late && std::min(left, right) < expected + kGone_m) return std::nullopt;  // one still sees it
+  const bool late = seen.now - last_.at > settings_.together;
+  if (!late && std::min(left, right) < expected + settings_.farther_m)
+    return std::nullopt;  // one still sees it
   const double approached = ahead.dot(seen.p_WB - first_->p_WB);
   first_.reset();
-  if (late || approached < kApproach_m || last_.ahead_m < kNearest_m || last_.ahead_m > kFarthest_m) {
+  if (late || approached < settings_.approach_m || last_.ahead_m < settings_.nearest_m ||
+      last_.ahead_m > settings_.farthest_m) {
     return std::nullopt;
   }
   return expected;

@@ -14,6 +14,8 @@ namespace caravan::agent {
 /// see: what is as high as they are cannot leave both cones then.
 class VanishingEcho {
  public:
+  explicit VanishingEcho(const EchoLoss& settings) : settings_{settings} {}
+
   /// To be called in every step.
   /// @return how far ahead of the base the thing begins; once
   [[nodiscard]] std::optional<double> update(const Perception& seen);
@@ -25,6 +27,7 @@ class VanishingEcho {
     double yaw_WB_rad = 0.0;
     double ahead_m = 0.0;
   };
+  EchoLoss settings_;
   std::optional<Sight> first_;  // of an approach in one direction
   Sight last_;
 };

@@ -153,7 +153,7 @@ TEST(Meeting, OneThatDrivesAheadOrPassesWideOrIsBehindIsNotMet) {
 }
 
 TEST(Neighbours, MoveOnAsTheyToldAndAreForgottenWhenTheyFallSilent) {
-  Neighbours neighbours{Time{0}};
+  Neighbours neighbours{{}, Time{0}};
   Wait wait;
   wait.from = RobotId{7};
   wait.whereabouts = Whereabouts{{1000, 2000}, 0, 500, 0};
@@ -186,9 +186,9 @@ TEST(Perception, AnEchoOfARobotThatToldWhereItIsIsNotAnObstacle) {
   Sensors sensors;
   sensors.sonar_range_m = test::sonar_ranges_m(walls, {0, 0}, 0.0);
   const Corridor ahead{};
-  const Perception alone = perceive(0s, sensors, true, {}, {}, {});
+  const Perception alone = perceive(0s, sensors, true, {}, {}, {}, {});
   EXPECT_LT(alone.still.clearance_m(ahead), 1.0);
-  const Perception told = perceive(0s, sensors, true, {standing({1.1, 0.0}, kPi)}, {}, {});
+  const Perception told = perceive(0s, sensors, true, {standing({1.1, 0.0}, kPi)}, {}, {}, {});
   EXPECT_LT(told.around.clearance_m(ahead), 1.0);
   EXPECT_GT(told.still.clearance_m(ahead), 4.0);
 }

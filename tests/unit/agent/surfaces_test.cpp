@@ -25,7 +25,7 @@ Perception look(std::span<const Wall> walls, Time now, const Point& p_WB, double
   sensors.p_WB = p_WB;
   sensors.yaw_WB_rad = yaw_rad;
   const bool near = !robots.empty();
-  return perceive(now, sensors, near, std::move(robots), {}, {});
+  return perceive(now, sensors, near, std::move(robots), {}, {}, {});
 }
 
 /// Of a robot that remembers for no longer than it must.
@@ -110,7 +110,7 @@ TEST(Surfaces, AreHighWhereTheyWereSeenFromCloseBy) {
 }
 
 TEST(Surfaces, OfAMapAreBounded) {
-  SurfaceMap map;
+  SurfaceMap map{{}};
   for (int i = 0; i < 100'000; ++i) map.touch({0.1 * i, 1e300}, 0s);
   EXPECT_LE(map.size(), 20'000U);
 }

@@ -28,7 +28,7 @@ class Wheelwork {
 
  private:
   Body body_;
-  TouchSensor sensor_;
+  TouchSensor sensor_{{}};
   Sensors sensors_;
   Time now_{0};
   int touches_ = 0;
@@ -103,7 +103,7 @@ TEST(TouchSensor, FeelsNothingInWheelsThatAreHeldFromTheStart) {
 }
 
 TEST(TouchSensor, FeelsNothingInFramesThatAreRareAndLate) {
-  TouchSensor sensor;
+  TouchSensor sensor{{}};
   const Body body;
   Sensors sensors;
   Time now{0};
@@ -116,7 +116,7 @@ TEST(TouchSensor, FeelsNothingInFramesThatAreRareAndLate) {
 }
 
 TEST(TouchSensor, FeelsNothingInWheelsWhoseAnglesAreNotKnown) {
-  TouchSensor sensor;
+  TouchSensor sensor{{}};
   Sensors sensors;
   sensors.left_wheel_rad = sensors.right_wheel_rad = std::numeric_limits<double>::quiet_NaN();
   for (int i = 1; i < 40; ++i) EXPECT_FALSE(sensor.update(i * kStep, sensors, {0.9, 0.9}, Body{}));

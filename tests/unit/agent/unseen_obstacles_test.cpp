@@ -20,7 +20,7 @@ constexpr Time kStep = 32ms;
 /// A robot that drives east in the open and is stopped where a test says.
 class Driven {
  public:
-  explicit Driven(const ObstacleMemory& memory = {}) : obstacles{memory, {}, {}, 6.0} {}
+  explicit Driven(const ObstacleMemory& memory = {}) : obstacles{{.memory = memory}} {}
 
   Surfaces surfaces{{}, {}, true};
   UnseenObstacles obstacles;
@@ -53,7 +53,7 @@ class Driven {
     if (std::isfinite(beside_m)) sensors.sonar_range_m[0] = beside_m;
     sensors.p_WB = p_WB_ + Point{random_.uniform(-gps_noise_m, gps_noise_m), 0.0};
     sensors.left_wheel_rad = sensors.right_wheel_rad = angle_rad_;
-    seen_ = perceive(now_, sensors, heard || !robots.empty(), robots, {}, {});
+    seen_ = perceive(now_, sensors, heard || !robots.empty(), robots, {}, {}, {});
     surfaces.see(*seen_);
     return obstacles.feel(sensors, told, surfaces, *seen_);
   }
