@@ -33,7 +33,8 @@ struct Agent::Impl {
   explicit Impl(const Config& its_config)
       : config{its_config},
         communication{{config.id, config.sharing, config.wait, config.air}},
-        driver{{config.body, config.driving, config.meeting, config.keep_clear, config.passage}},
+        driver{{config.body, config.driving, config.meeting, config.manoeuvres, config.recovery,
+                config.keep_clear, config.passage}},
         neighbours{config.neighbours, config.wait.period},
         surfaces{config.surfaces, config.patience, config.obstacles.places > 0},
         unseen_obstacles{{config.obstacles, config.touch, config.vanishing_echo, config.patience, config.body,

@@ -14,6 +14,7 @@ struct Body {
   double track_m = robot_model::kTrack_m;
   double wheel_radius_m = robot_model::kWheelRadius_m;
   double wheel_limit_mps = robot_model::kWheelLimit_mps;  ///< rim speed
+  double side_margin_m = 0.04;                            ///< beside it, on a way that counts as free
 
   bool operator==(const Body&) const = default;
 };

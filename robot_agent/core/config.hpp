@@ -23,6 +23,8 @@ struct Config {
   Exploration exploration;
   Driving driving;
   MeetingRule meeting;
+  Manoeuvres manoeuvres;
+  Recovery recovery;
   KeepClear keep_clear;
   NeighbourMemory neighbours;
   SurfaceMemory surfaces;

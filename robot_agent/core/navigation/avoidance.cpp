@@ -2,38 +2,32 @@
 #include "robot_agent/core/navigation/avoidance.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 
 namespace caravan::agent {
 namespace {
 
-constexpr Time kLetsPass = std::chrono::milliseconds{800};
-constexpr double kMostLeft_rad = 2.0;
-constexpr double kRoom_m = 0.9;  // free distance from the base that a direction must have
-
 double clearance_m(const Encounter& encounter, double bearing_rad) {
   return encounter.seen.still.clearance_m({.bearing_rad = bearing_rad,
                                            .half_width_m = 0.5 * encounter.corridor_m,
                                            .surface_m = 0.0,
-                                           .surface_per_metre = 0.2});
+                                           .surface_per_metre = encounter.settings.surface_per_metre});
 }
 
 /// The same, and robots that told where they are count as discs. One close by must not be approached at all.
 double clearance_among_robots_m(const Encounter& encounter, double bearing_rad) {
-  constexpr double kRobot_m = 0.25;
-  constexpr double kClose_m = 0.9;
-  constexpr double kApproaches = 0.1;  // cosine
+  const Manoeuvres& settings = encounter.settings;
   const Point along = direction(encounter.seen.yaw_WB_rad + bearing_rad);
   double nearest = clearance_m(encounter, bearing_rad);
   for (const Neighbour& robot : encounter.seen.robots) {
     const Point apart = robot.p_WB - encounter.seen.p_WB;
     const double ahead = apart.dot(along);
     const double distance = apart.norm();
-    if (distance < kClose_m && ahead > kApproaches * distance) return 0.0;
-    if (ahead <= 0.0 || std::abs(cross(along, apart)) > 0.5 * encounter.corridor_m + kRobot_m) continue;
-    nearest = std::min(nearest, std::max(0.0, ahead - kRobot_m));
+    if (distance < settings.robot_close_m && ahead > settings.robot_cosine * distance) return 0.0;
+    if (ahead <= 0.0 || std::abs(cross(along, apart)) > 0.5 * encounter.corridor_m + settings.robot_radius_m)
+      continue;
+    nearest = std::min(nearest, std::max(0.0, ahead - settings.robot_radius_m));
   }
   return nearest;
 }
@@ -41,7 +35,9 @@ double clearance_among_robots_m(const Encounter& encounter, double bearing_rad) 
 /// Stands a little and lets the other pass; every third time in the same place it goes round.
 Manoeuvre let_pass(const Encounter& encounter) {
   if (encounter.attempt % 3 == 2) return go_round(encounter);
-  return {Pause{kLetsPass + std::chrono::milliseconds{std::lround(1000.0 * encounter.draw)}}};
+  const Manoeuvres& settings = encounter.settings;
+  const double more_ms = 1000.0 * settings.pass_spread_s * encounter.draw;
+  return {Pause{settings.pass_time + std::chrono::milliseconds{std::lround(more_ms)}}};
 }
 
 TurnTo turned_by(const Encounter& encounter, double bearing_rad) {
@@ -50,49 +46,55 @@ TurnTo turned_by(const Encounter& encounter, double bearing_rad) {
 
 /// The same in motion, early enough that nobody has to turn on the spot: the other has told where it is.
 Manoeuvre veer(const Encounter& encounter) {
-  constexpr double kClearlyLeft_m = 0.3;
-  const double side = encounter.meeting->passes_m > kClearlyLeft_m ? -1.0 : 1.0;
-  const double angle = encounter.goal_bearing_rad + side * (0.55 + 0.15 * encounter.draw);
-  if (clearance_m(encounter, angle) < kRoom_m) return let_pass(encounter);
-  return {Veer{turned_by(encounter, angle).yaw_WB_rad, 0.7}};
+  const Manoeuvres& settings = encounter.settings;
+  const double side = encounter.meeting->passes_m > settings.veer_right_m ? -1.0 : 1.0;
+  const double angle =
+      encounter.goal_bearing_rad + side * (settings.veer_rad + settings.veer_spread_rad * encounter.draw);
+  if (clearance_m(encounter, angle) < settings.room_m) return let_pass(encounter);
+  return {Veer{turned_by(encounter, angle).yaw_WB_rad, settings.veer_m}};
 }
 
 }  // namespace
 
 Manoeuvre turn_slightly_left(const Encounter& encounter) {
   if (encounter.meeting) return veer(encounter);
-  const double forward = 0.5 + 0.4 * encounter.draw;
+  const Manoeuvres& settings = encounter.settings;
+  const double forward = settings.left_m + settings.left_spread_m * encounter.draw;
   // Further, where another robot is known to stand so close that slightly does not lead past it.
-  double left = 0.5 + 0.3 * encounter.draw;
-  while (left < kMostLeft_rad) {
-    if (clearance_among_robots_m(encounter, left) >= kRoom_m)
+  double left = settings.left_rad + settings.left_spread_rad * encounter.draw;
+  while (left < settings.left_limit_rad) {
+    if (clearance_among_robots_m(encounter, left) >= settings.room_m)
       return {turned_by(encounter, left), Go{forward}};
     if (encounter.seen.robots.empty()) break;
-    left += 0.4;
+    left += settings.left_step_rad;
   }
   return let_pass(encounter);
 }
 
 Manoeuvre go_round(const Encounter& encounter) {
   // Alternately left and right of the goal, further and further.
-  constexpr std::array<double, 8> kAside = {0.4, 0.7, 1.0, 1.3, 1.7, 2.1, 2.6, 3.1};
+  const Manoeuvres& settings = encounter.settings;
   const double first_side = encounter.attempt % 2 == 0 ? 1.0 : -1.0;
-  for (const double aside : kAside) {
+  for (const double aside : settings.round_rad) {
     for (const double side : {first_side, -first_side}) {
       const double bearing = wrapped(encounter.goal_bearing_rad + side * aside);
-      if (clearance_among_robots_m(encounter, bearing) < kRoom_m) continue;
-      return {turned_by(encounter, bearing), Go{0.5 + 0.3 * encounter.draw}};
+      if (clearance_among_robots_m(encounter, bearing) < settings.room_m) continue;
+      return {turned_by(encounter, bearing), Go{settings.round_m + settings.round_spread_m * encounter.draw}};
     }
   }
   return free_itself(encounter);
 }
 
 Manoeuvre free_itself(const Encounter& encounter) {
-  const double further = std::min(encounter.attempt, 6);
-  const bool left_is_freer = clearance_m(encounter, 0.9) >= clearance_m(encounter, -0.9);
+  const Manoeuvres& settings = encounter.settings;
+  const double further = std::min(encounter.attempt, static_cast<int>(settings.free_steps));
+  const bool left_is_freer =
+      clearance_m(encounter, settings.free_side_rad) >= clearance_m(encounter, -settings.free_side_rad);
   const double side = left_is_freer == (encounter.attempt % 2 == 0) ? 1.0 : -1.0;
-  const double angle = side * (0.6 + 0.25 * further + 0.3 * encounter.draw);
-  return {Go{-(0.25 + 0.08 * further)}, turned_by(encounter, angle), Go{0.4 + 0.1 * further}};
+  const double angle = side * (settings.free_turn_rad + settings.free_turn_step_rad * further +
+                               settings.free_turn_spread_rad * encounter.draw);
+  return {Go{-(settings.free_back_m + settings.free_back_step_m * further)}, turned_by(encounter, angle),
+          Go{settings.free_forward_m + settings.free_forward_step_m * further}};
 }
 
 }  // namespace caravan::agent

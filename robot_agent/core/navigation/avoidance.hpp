@@ -9,6 +9,7 @@ namespace caravan::agent {
 /// What a robot knows when something is in its way.
 struct Encounter {
   const Perception& seen;
+  const Manoeuvres& settings;
   double corridor_m = 0.6;        ///< full width that must be free of echoes
   double goal_bearing_rad = 0.0;  ///< where it wants to go, frame B
   double draw = 0.5;  ///< a random number in [0, 1): two robots shall not mirror each other for ever

@@ -10,22 +10,7 @@
 namespace caravan::agent {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr double kFacing_rad = 0.5;  // something ahead matters when the goal is ahead, too
-// Trouble is the same trouble again when it comes this soon and this near.
-constexpr Time kAgain = 15s;
-constexpr double kSamePlace_m = 1.0;
-// After so many attempts in a place what is remembered of its surfaces holds the robot no longer.
-constexpr int kMostAttempts = 20;
-constexpr double kBacksOff_m = 0.4;
-// A robot ahead that comes no nearer than this drives in the same direction: follow it.
-constexpr double kComes_mps = 0.2;
-// Kept by another robot from what it wants to do: the two wheels' speeds together differ by this, for so
-// long.
-constexpr double kHeld_mps = 0.3;
-constexpr Time kLongestStep = 1s;
-constexpr Time kHeldLong = 700ms;
+constexpr Time kLongestStep = std::chrono::seconds{1};  // of the motor model: after it, any twist is reached
 
 Perception without_surfaces(Perception seen) {
   seen.surfaces.clear();
@@ -44,12 +29,14 @@ Motion Driver::stand(Activity activity, Time now) {
 }
 
 bool Driver::is_hopeless(const Perception& seen) const {
-  return attempts_ >= kMostAttempts && seen.now - last_trouble_ < kAgain &&
-         seen.distance_to(last_trouble_at_) < kSamePlace_m;
+  return attempts_ >= static_cast<int>(settings_.recovery.attempts) &&
+         seen.now - last_trouble_ < settings_.recovery.again_time &&
+         seen.distance_to(last_trouble_at_) < settings_.recovery.again_m;
 }
 
 int Driver::attempts_at(const Perception& seen) {
-  const bool again = seen.now - last_trouble_ < kAgain && seen.distance_to(last_trouble_at_) < kSamePlace_m;
+  const bool again = seen.now - last_trouble_ < settings_.recovery.again_time &&
+                     seen.distance_to(last_trouble_at_) < settings_.recovery.again_m;
   attempts_ = again ? attempts_ + 1 : 0;
   last_trouble_ = seen.now;
   last_trouble_at_ = seen.p_WB;
@@ -85,7 +72,8 @@ Allowed Driver::allow(const Wheels& wanted, const Perception& seen) const {
 
 void Driver::tell(const Wheels& wheels, Time now) {
   const double passed = std::chrono::duration<double>(std::min(now - told_, kLongestStep)).count();
-  twist_ = approaching(twist_, twist_of(last_wheels_, settings_.body.track_m), passed);
+  twist_ = approaching(twist_, twist_of(last_wheels_, settings_.body.track_m), passed,
+                       settings_.driving.acceleration);
   last_wheels_ = wheels;
   told_ = now;
 }
@@ -93,28 +81,34 @@ void Driver::tell(const Wheels& wheels, Time now) {
 bool Driver::is_held(const Wheels& wanted, const Wheels& allowed, Time now) {
   const double lack =
       std::abs(wanted.left_mps - allowed.left_mps) + std::abs(wanted.right_mps - allowed.right_mps);
-  if (lack < kHeld_mps) {
+  if (lack < settings_.recovery.held_mps) {
     held_since_.reset();
     return false;
   }
   if (!held_since_) held_since_ = now;
-  return now - *held_since_ > kHeldLong;
+  return now - *held_since_ > settings_.recovery.held_time;
 }
 
 void Driver::meet(const std::optional<Meeting>& meeting, const Point& goal_W, const Perception& seen,
                   pure::Random& random) {
-  const Encounter encounter{
-      seen, settings_.passage.corridor_m, seen.bearing_to(goal_W), random.unit(), attempts_at(seen), meeting};
+  const Encounter encounter{seen,
+                            settings_.manoeuvres,
+                            settings_.passage.corridor_m,
+                            seen.bearing_to(goal_W),
+                            random.unit(),
+                            attempts_at(seen),
+                            meeting};
   state_ = Manoeuvring{Performance{turn_slightly_left(encounter)}};
 }
 
 void Driver::free(const Point& goal_W, const Perception& seen, int attempt, pure::Random& random) {
-  state_ = Manoeuvring{Performance{
-      free_itself({seen, settings_.passage.corridor_m, seen.bearing_to(goal_W), random.unit(), attempt})}};
+  state_ = Manoeuvring{Performance{free_itself({seen, settings_.manoeuvres, settings_.passage.corridor_m,
+                                                seen.bearing_to(goal_W), random.unit(), attempt})}};
 }
 
 Motion Driver::approach(const Point& goal_W, const Perception& seen, pure::Random& random) {
-  const bool stuck = monitor_.update(seen, last_wheels_, settings_.body.track_m) || seen.touched;
+  const bool stuck =
+      monitor_.update(seen, last_wheels_, settings_.recovery, settings_.body.track_m) || seen.touched;
   auto* manoeuvring = std::get_if<Manoeuvring>(&state_);
   if (stuck && manoeuvring && last_wheels_.left_mps < 0.0 && last_wheels_.right_mps < 0.0) {
     manoeuvring->performance.skip();  // behind it is something as well: no more backing off
@@ -124,7 +118,8 @@ Motion Driver::approach(const Point& goal_W, const Perception& seen, pure::Rando
     return {{}, Activity::kAvoiding, Obstruction::kTouch, drove_forward};
   }
   if (manoeuvring) {
-    if (const auto wheels = manoeuvring->performance.step(seen, settings_.driving, settings_.body)) {
+    if (const auto wheels =
+            manoeuvring->performance.step(seen, settings_.manoeuvres, settings_.driving, settings_.body)) {
       return {*wheels, Activity::kAvoiding, Obstruction::kNone};
     }
     state_ = Steering{};
@@ -137,33 +132,35 @@ Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& 
   const Driving& driving = settings_.driving;
   const MeetingRule& rule = settings_.meeting;
   const double bearing = seen.bearing_to(goal_W);
-  const auto [ahead, closing] = view_.update(seen, free_ahead_m(seen.around, body));
-  const bool facing = std::abs(bearing) < kFacing_rad;
-  const bool in_the_way = ahead < driving.too_close_m || (ahead < rule.echo_m && closing > kComes_mps);
+  const auto [ahead, closing] = view_.update(seen, free_ahead_m(seen.around, body), rule);
+  const bool facing = std::abs(bearing) < driving.facing_rad;
+  const bool in_the_way = ahead < driving.too_close_m || (ahead < rule.echo_m && closing > rule.closing_mps);
   const bool somebody = seen.robot_near && seen.robots.empty();  // who has not told where it is
   const auto meeting =
-      facing ? find_meeting({bearing, driving.cruise_mps}, seen, body, settings_.keep_clear.robots_m)
+      facing ? find_meeting({bearing, driving.cruise_mps}, seen, rule, body, settings_.keep_clear.robots_m)
              : std::nullopt;
   if (meeting || (facing && somebody && in_the_way)) {
     meet(meeting, goal_W, seen, random);
     return {{}, Activity::kAvoiding, Obstruction::kRobot};
   }
   // Something beyond the goal is not in the way.
-  const double needed = std::min(driving.too_close_m, std::max(0.15, seen.distance_to(goal_W)));
+  const double needed =
+      std::min(driving.too_close_m, std::max(driving.goal_room_m, seen.distance_to(goal_W)));
   if (facing && free_ahead_m(seen.still, body) < needed) {
     return {{}, Activity::kAvoiding, Obstruction::kObstacle};
   }
-  const double leaning = facing ? bearing + turn_from_surfaces_rad(seen, body) : bearing;
-  return {steer_to(leaning, speed_for(ahead, driving), body), Activity::kDriving, Obstruction::kNone};
+  const double leaning = facing ? bearing + turn_from_surfaces_rad(seen, driving, body) : bearing;
+  return {steer_to(leaning, speed_for(ahead, driving), driving, body), Activity::kDriving,
+          Obstruction::kNone};
 }
 
 void Driver::go_round_towards(const Point& goal_W, const Perception& seen, pure::Random& random) {
   // The same side again while it is the same obstacle.
   const int attempt = attempts_at(seen) / 4;
-  state_ = Manoeuvring{Performance{
-      go_round({seen, settings_.passage.corridor_m, seen.bearing_to(goal_W), random.unit(), attempt})}};
+  state_ = Manoeuvring{Performance{go_round({seen, settings_.manoeuvres, settings_.passage.corridor_m,
+                                             seen.bearing_to(goal_W), random.unit(), attempt})}};
 }
 
-void Driver::back_off() { state_ = Manoeuvring{Performance{{Go{-kBacksOff_m}}}}; }
+void Driver::back_off() { state_ = Manoeuvring{Performance{{Go{-settings_.recovery.back_off_m}}}}; }
 
 }  // namespace caravan::agent

@@ -32,6 +32,8 @@ struct DriverSettings {
   Body body;
   Driving driving;
   MeetingRule meeting;
+  Manoeuvres manoeuvres;
+  Recovery recovery;
   KeepClear keep_clear;
   Passage passage;
 };

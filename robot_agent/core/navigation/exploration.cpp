@@ -5,22 +5,13 @@
 #include <numbers>
 
 namespace caravan::agent {
-namespace {
-
-constexpr int kDraws = 24;
-constexpr double kWidening = 1.2;
-/// Free space wanted behind the new location, so that the robot can turn there.
-constexpr double kRoomToTurn_m = 0.5;
-
-}  // namespace
-
 Point new_location_to_explore(const Perception& seen, const Exploration& exploration, const Passage& passage,
                               const Body& body, pure::Random& random) {
-  const double wanted = exploration.step_m + body.ahead_m + kRoomToTurn_m;
+  const double wanted = exploration.step_m + body.ahead_m + exploration.turn_room_m;
   double spread = exploration.spread_rad;
   double best_bearing = 0.0;
   double best_clearance = -1.0;
-  for (int draw = 0; draw < kDraws; ++draw) {
+  for (std::uint32_t draw = 0; draw < exploration.draws; ++draw) {
     const double bearing = random.uniform(-spread, spread);
     const double clearance = seen.around.clearance_m({.bearing_rad = bearing,
                                                       .half_width_m = 0.5 * passage.corridor_m,
@@ -31,7 +22,7 @@ Point new_location_to_explore(const Perception& seen, const Exploration& explora
       best_bearing = bearing;
     }
     if (clearance >= wanted) break;
-    spread = std::min(spread * kWidening, std::numbers::pi);
+    spread = std::min(spread * exploration.widening, std::numbers::pi);
   }
   return seen.p_WB + exploration.step_m * direction(seen.yaw_WB_rad + best_bearing);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 
+#include "robot_agent/core/navigation/settings.hpp"
 #include "robot_agent/core/sensing/perception.hpp"
 
 namespace caravan::agent {
@@ -11,23 +12,23 @@ namespace caravan::agent {
 /// The free distance ahead over time.
 ///
 /// A robot ahead that turns shows its corner and vanishes from the sonars: while a WAIT is heard, an echo
-/// that vanishes at once is believed to be still there for two seconds. And how fast the free distance
-/// shrinks tells a robot that comes or stands from one that drives ahead in the same direction.
+/// that vanishes at once is believed to be still there for MeetingRule::lost_echo. And how fast the free
+/// distance shrinks tells a robot that comes or stands from one that drives ahead in the same direction.
 class ForwardView {
  public:
   struct View {
     double free_ahead_m = std::numeric_limits<double>::infinity();
     double closing_mps = std::numeric_limits<double>::infinity();  ///< +inf: it came into view just now
   };
-  [[nodiscard]] View update(const Perception& seen, double free_ahead_m);
+  [[nodiscard]] View update(const Perception& seen, double free_ahead_m, const MeetingRule& rule);
 
  private:
   struct Sample {
     Time at{0};
     double free_ahead_m = std::numeric_limits<double>::infinity();
   };
-  [[nodiscard]] double believed(const Perception& seen, double free_ahead_m);
-  [[nodiscard]] double closing(Time now, double free_ahead_m);
+  [[nodiscard]] double believed(const Perception& seen, double free_ahead_m, const MeetingRule& rule);
+  [[nodiscard]] double closing(Time now, double free_ahead_m, Time period);
   std::array<Sample, 2> samples_;  // [0] older
   Sample last_echo_;
   Point echo_seen_from_{0.0, 0.0};

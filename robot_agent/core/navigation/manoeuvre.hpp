@@ -39,16 +39,20 @@ class Performance {
   explicit Performance(Manoeuvre legs) : legs_{std::move(legs)} {}
 
   /// What the wheels do now; nothing: the manoeuvre is over.
-  [[nodiscard]] std::optional<Wheels> step(const Perception& seen, const Driving& driving, const Body& body);
+  [[nodiscard]] std::optional<Wheels> step(const Perception& seen, const Manoeuvres& settings,
+                                           const Driving& driving, const Body& body);
   /// Leaves the current leg: it cannot be done.
   void skip();
 
  private:
   [[nodiscard]] std::optional<Wheels> perform(const TurnTo& leg, const Perception& seen,
+                                              const Manoeuvres& settings, const Driving& driving,
                                               const Body& body) const;
-  [[nodiscard]] std::optional<Wheels> perform(const Go& leg, const Perception& seen, const Driving& driving,
+  [[nodiscard]] std::optional<Wheels> perform(const Go& leg, const Perception& seen,
+                                              const Manoeuvres& settings, const Driving& driving,
                                               const Body& body) const;
-  [[nodiscard]] std::optional<Wheels> perform(const Veer& leg, const Perception& seen, const Driving& driving,
+  [[nodiscard]] std::optional<Wheels> perform(const Veer& leg, const Perception& seen,
+                                              const Manoeuvres& settings, const Driving& driving,
                                               const Body& body) const;
   [[nodiscard]] std::optional<Wheels> perform(const Pause& leg, Time now) const;
   Manoeuvre legs_;

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "robot_agent/core/body.hpp"
+#include "robot_agent/core/navigation/settings.hpp"
 #include "robot_agent/core/sensing/perception.hpp"
 
 namespace caravan::agent {
@@ -28,6 +29,7 @@ struct Course {
 ///
 /// @param keep_clear_m  between the bodies
 [[nodiscard]] std::optional<Meeting> find_meeting(const Course& course, const Perception& seen,
-                                                  const Body& body, double keep_clear_m);
+                                                  const MeetingRule& rule, const Body& body,
+                                                  double keep_clear_m);
 
 }  // namespace caravan::agent

@@ -12,10 +12,10 @@ namespace caravan::agent {
 [[nodiscard]] Wheels wheels_for(double speed_mps, double turn_radps, const Body& body);
 
 /// Turns towards a bearing in place.
-[[nodiscard]] Wheels turn_to(double bearing_rad, const Body& body);
+[[nodiscard]] Wheels turn_to(double bearing_rad, const Driving& driving, const Body& body);
 
 /// Drives towards a bearing: the further off it is, the slower; in place when it is far off.
-[[nodiscard]] Wheels steer_to(double bearing_rad, double speed_mps, const Body& body);
+[[nodiscard]] Wheels steer_to(double bearing_rad, double speed_mps, const Driving& driving, const Body& body);
 
 /// Free distance ahead of the body, metres; 0 when something touches it.
 [[nodiscard]] double free_ahead_m(const Surroundings& around, const Body& body, double bearing_rad = 0.0);
@@ -26,7 +26,7 @@ namespace caravan::agent {
 
 /// The change of heading away from a surface close beside the robot, positive to the left. Walls end in
 /// corners, which return no echo: a distance to the wall is a distance to its corner.
-[[nodiscard]] double turn_from_surfaces_rad(const Perception& seen, const Body& body);
+[[nodiscard]] double turn_from_surfaces_rad(const Perception& seen, const Driving& driving, const Body& body);
 
 /// Cruise, or slow when something is ahead.
 [[nodiscard]] double speed_for(double free_ahead_m, const Driving& driving);

@@ -5,18 +5,8 @@
 #include <cmath>
 
 namespace caravan::agent {
-namespace {
-
-// It moves when it came this far from where it was,
-constexpr double kMoved_m = 0.12;
-constexpr double kTurned_rad = 0.25;
-// and does not when it has been told to go this far since.
-constexpr double kCommanded_m = 0.5;
-constexpr double kCommanded_rad = 2.0;
-
-}  // namespace
-
-bool StuckMonitor::update(const Perception& seen, const Wheels& commanded, double track_m) {
+bool StuckMonitor::update(const Perception& seen, const Wheels& commanded, const Recovery& recovery,
+                          double track_m) {
   if (!anchored_) {
     anchor(seen);
     return false;
@@ -25,11 +15,14 @@ bool StuckMonitor::update(const Perception& seen, const Wheels& commanded, doubl
   last_ = seen.now;
   commanded_m_ += dt * 0.5 * (commanded.left_mps + commanded.right_mps);
   commanded_rad_ += dt * (commanded.right_mps - commanded.left_mps) / track_m;
-  if (seen.distance_to(p_WB_) > kMoved_m || std::abs(wrapped(seen.yaw_WB_rad - yaw_WB_rad_)) > kTurned_rad) {
+  if (seen.distance_to(p_WB_) > recovery.stuck_moved_m ||
+      std::abs(wrapped(seen.yaw_WB_rad - yaw_WB_rad_)) > recovery.stuck_turned_rad) {
     anchor(seen);
     return false;
   }
-  if (std::abs(commanded_m_) < kCommanded_m && std::abs(commanded_rad_) < kCommanded_rad) return false;
+  if (std::abs(commanded_m_) < recovery.stuck_commanded_m &&
+      std::abs(commanded_rad_) < recovery.stuck_commanded_rad)
+    return false;
   anchor(seen);
   return true;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "robot_agent/core/navigation/settings.hpp"
 #include "robot_agent/core/sensing/perception.hpp"
 
 namespace caravan::agent {
@@ -11,7 +12,7 @@ class StuckMonitor {
  public:
   /// To be called in every step with what was commanded in the step before.
   /// @return true when the robot has not moved although it should have; it then starts afresh
-  bool update(const Perception& seen, const Wheels& commanded, double track_m);
+  bool update(const Perception& seen, const Wheels& commanded, const Recovery& recovery, double track_m);
   /// Forgets what was: the robot was not driving.
   void reset() { anchored_ = false; }
 

@@ -6,10 +6,6 @@
 namespace caravan::agent {
 namespace {
 
-// A little less than the motors give.
-constexpr double kGains_mps2 = 3.0;
-constexpr double kGains_radps2 = 12.0;
-
 double towards(double now, double wanted, double most) { return now + std::clamp(wanted - now, -most, most); }
 
 }  // namespace
@@ -18,9 +14,9 @@ Twist twist_of(const Wheels& wheels, double track_m) {
   return {0.5 * (wheels.left_mps + wheels.right_mps), (wheels.right_mps - wheels.left_mps) / track_m};
 }
 
-Twist approaching(const Twist& now, const Twist& wanted, double seconds) {
-  return {towards(now.linear_mps, wanted.linear_mps, seconds * kGains_mps2),
-          towards(now.angular_radps, wanted.angular_radps, seconds * kGains_radps2)};
+Twist approaching(const Twist& now, const Twist& wanted, double seconds, const Acceleration& limits) {
+  return {towards(now.linear_mps, wanted.linear_mps, seconds * limits.linear_mps2),
+          towards(now.angular_radps, wanted.angular_radps, seconds * limits.angular_radps2)};
 }
 
 }  // namespace caravan::agent

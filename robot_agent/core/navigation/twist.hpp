@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "robot_agent/core/types.hpp"
+#include "robot_agent/core/navigation/settings.hpp"
 
 namespace caravan::agent {
 
@@ -14,6 +14,7 @@ struct Twist {
 [[nodiscard]] Twist twist_of(const Wheels& wheels, double track_m);
 
 /// The twist some seconds later when the wheels are told to bring it to `wanted`, limited by acceleration.
-[[nodiscard]] Twist approaching(const Twist& now, const Twist& wanted, double seconds);
+[[nodiscard]] Twist approaching(const Twist& now, const Twist& wanted, double seconds,
+                                const Acceleration& limits);
 
 }  // namespace caravan::agent

@@ -25,7 +25,6 @@ constexpr Time kLongestStep = 200ms;  // longer pauses were exchanges
 constexpr double kFirstWander_m = 2.5;
 constexpr Time kWanderPatience = 20s;
 constexpr Time kWanderAgain = 60s;
-constexpr double kReached_m = 0.3;
 
 /// From the middle of what it touched: a little more than shortcuts keep, so that it does not stop beside it.
 double keeps_from_touched_m(const Passage& passage, const ObstacleMemory& obstacles) {
@@ -155,7 +154,8 @@ void Carrier::react(Obstruction obstruction, const Perception& seen, Driver& dri
 }
 
 Motion Carrier::wander(Wandering& state, const Perception& seen, Driver& driver, pure::Random& random) {
-  const bool wants_another = !state.location || seen.distance_to(*state.location) < kReached_m;
+  const bool wants_another =
+      !state.location || seen.distance_to(*state.location) < settings_.exploration.reached_m;
   if (wants_another && driver.is_steering())
     state.location =
         new_location_to_explore(seen, settings_.exploration, settings_.passage, settings_.body, random);

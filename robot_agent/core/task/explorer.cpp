@@ -6,17 +6,6 @@
 #include "robot_agent/core/task/arrival.hpp"
 
 namespace caravan::agent {
-namespace {
-
-using namespace std::chrono_literals;
-
-constexpr double kReached_m = 0.3;
-constexpr Time kLocationPatience = 6s;
-constexpr Time kOutOfSight = 1s;
-constexpr Time kLooksAway = 8s;  // after the destination proved out of reach from here
-
-}  // namespace
-
 Explorer::Explorer(const ExplorerSettings& settings)
     : settings_{settings}, record_{settings.task.source, settings.recording.spacing_m}, state_{Searching{}} {}
 
@@ -34,11 +23,12 @@ Motion Explorer::step(const Perception& seen, Driver& driver, pure::Random& rand
 }
 
 Motion Explorer::search(Searching& state, const Perception& seen, Driver& driver, pure::Random& random) {
-  const bool wants_another =
-      !state.location || seen.distance_to(*state.location) < kReached_m || seen.now >= state.give_up;
+  const bool wants_another = !state.location ||
+                             seen.distance_to(*state.location) < settings_.exploration.reached_m ||
+                             seen.now >= state.give_up;
   if (wants_another && driver.is_steering()) {
     state = {new_location_to_explore(seen, settings_.exploration, settings_.passage, settings_.body, random),
-             seen.now + kLocationPatience};
+             seen.now + settings_.exploration.location_timeout};
   }
   const Motion motion = driver.drive_to(state.location.value_or(seen.p_WB), seen, random);
   if (motion.obstruction != Obstruction::kNone) state.location.reset();
@@ -55,7 +45,7 @@ Motion Explorer::approach(Approaching& state, const Perception& seen, Driver& dr
   const Motion motion = driver.drive_to(destination, seen, random);
   const bool blocked =
       motion.obstruction == Obstruction::kObstacle || motion.obstruction == Obstruction::kTouch;
-  if (blocked || seen.now - state.last_seen > kOutOfSight) look_away(seen.now);
+  if (blocked || seen.now - state.last_seen > settings_.exploration.out_of_sight) look_away(seen.now);
   return motion;
 }
 
@@ -65,7 +55,7 @@ std::optional<Point> Explorer::look_out(const Perception& seen) const {
 
 void Explorer::look_away(Time now) {
   state_ = Searching{};
-  looks_again_ = now + kLooksAway;
+  looks_again_ = now + settings_.exploration.look_away;
 }
 
 }  // namespace caravan::agent

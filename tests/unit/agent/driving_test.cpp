@@ -23,13 +23,13 @@ const std::vector<Wall> kNearAhead = {{{0.55, -0.5}, {0.55, 0.5}}};
 
 TEST(Steering, DrivesStraightAtCruiseTowardsAGoalAhead) {
   const Driving driving;
-  const Wheels wheels = steer_to(0.0, speed_for(5.0, driving), {});
+  const Wheels wheels = steer_to(0.0, speed_for(5.0, driving), {}, {});
   EXPECT_DOUBLE_EQ(wheels.left_mps, driving.cruise_mps);
   EXPECT_DOUBLE_EQ(wheels.right_mps, driving.cruise_mps);
 }
 
 TEST(Steering, TurnsInPlaceTowardsAGoalBehind) {
-  const Wheels wheels = steer_to(2.0, 0.975, {});
+  const Wheels wheels = steer_to(2.0, 0.975, {}, {});
   EXPECT_LT(wheels.left_mps, 0.0);
   EXPECT_DOUBLE_EQ(wheels.left_mps, -wheels.right_mps);
 }
@@ -87,7 +87,7 @@ TEST(StuckMonitor, AMovingOrATurningOrAStandingRobotIsNotStuck) {
     StuckMonitor monitor;
     Perception seen = look({}, {0, 0}, 0.0);
     for (int i = 0; i < 300; ++i) {
-      EXPECT_FALSE(monitor.update(seen, wheels, body.track_m));
+      EXPECT_FALSE(monitor.update(seen, wheels, {}, body.track_m));
       seen.now += 32ms;
       const double speed = 0.5 * (wheels.left_mps + wheels.right_mps);
       seen.p_WB.x() += 0.032 * speed;
@@ -102,7 +102,7 @@ TEST(Avoidance, WithNoRoomOnTheLeftTheRobotLetsTheOtherPass) {
   const Perception seen = look(walls, {0, 0}, 0.0);
   const Manoeuvre manoeuvre = turn_slightly_left({seen, {}});
   ASSERT_TRUE(std::holds_alternative<Pause>(manoeuvre.front()));
-  const Manoeuvre third = turn_slightly_left({.seen = seen, .attempt = 2});
+  const Manoeuvre third = turn_slightly_left({.seen = seen, .settings = {}, .attempt = 2});
   EXPECT_FALSE(std::holds_alternative<Pause>(third.front())) << "it does not wait for ever";
 }
 
@@ -110,20 +110,20 @@ TEST(ForwardView, AnEchoThatVanishesAtOnceWhileAWaitIsHeardIsBelievedForTwoSecon
   ForwardView view;
   Perception seen = look({}, {0, 0}, 0.0);
   seen.robot_near = true;
-  EXPECT_DOUBLE_EQ(view.update(seen, 1.0).free_ahead_m, 1.0);
+  EXPECT_DOUBLE_EQ(view.update(seen, 1.0, {}).free_ahead_m, 1.0);
   seen.now = 500ms;
   seen.p_WB.x() = 0.2;
-  EXPECT_NEAR(view.update(seen, 4.0).free_ahead_m, 0.8, 1e-9);
+  EXPECT_NEAR(view.update(seen, 4.0, {}).free_ahead_m, 0.8, 1e-9);
   seen.now = 2100ms;
-  EXPECT_DOUBLE_EQ(view.update(seen, 4.0).free_ahead_m, 4.0);
+  EXPECT_DOUBLE_EQ(view.update(seen, 4.0, {}).free_ahead_m, 4.0);
 }
 
 TEST(ForwardView, WithoutAWaitWhatVanishesIsGone) {
   ForwardView view;
   Perception seen = look({}, {0, 0}, 0.0);
-  (void)view.update(seen, 1.0);
+  (void)view.update(seen, 1.0, {});
   seen.now = 32ms;
-  EXPECT_DOUBLE_EQ(view.update(seen, 4.0).free_ahead_m, 4.0);
+  EXPECT_DOUBLE_EQ(view.update(seen, 4.0, {}).free_ahead_m, 4.0);
 }
 
 TEST(ForwardView, ARobotThatDrivesAheadDoesNotCloseInAndOneThatStandsDoes) {
@@ -133,8 +133,8 @@ TEST(ForwardView, ARobotThatDrivesAheadDoesNotCloseInAndOneThatStandsDoes) {
   seen.robot_near = true;
   for (int i = 0; i < 40; ++i) {
     seen.now += 32ms;
-    const auto follows = ahead.update(seen, 1.1);
-    const auto meets = standing.update(seen, 2.4 - 0.03 * i);
+    const auto follows = ahead.update(seen, 1.1, {});
+    const auto meets = standing.update(seen, 2.4 - 0.03 * i, {});
     if (i < 30) continue;
     EXPECT_NEAR(follows.closing_mps, 0.0, 1e-9);
     EXPECT_NEAR(meets.closing_mps, 0.03 / 0.032, 1e-6);
@@ -153,7 +153,7 @@ TEST(Avoidance, RoundAnObstacleTheFreeDirectionNearestToTheGoalIsTaken) {
 TEST(Avoidance, FreeingItselfTheRobotTriesBothSides) {
   const Perception seen = look({}, {0, 0}, 0.0);
   const auto turn_of = [&](int attempt) {
-    return std::get<TurnTo>(free_itself({seen, {}, 0.0, 0.5, attempt})[1]).yaw_WB_rad;
+    return std::get<TurnTo>(free_itself({seen, {}, 0.6, 0.0, 0.5, attempt})[1]).yaw_WB_rad;
   };
   EXPECT_LT(turn_of(0) * turn_of(1), 0.0);
   EXPECT_GT(std::abs(turn_of(2)), std::abs(turn_of(0)));

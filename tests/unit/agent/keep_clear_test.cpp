@@ -133,11 +133,11 @@ TEST(KeepClear, BacksOffFromWhatItTouches) {
 TEST(Meeting, BothFindTheSameSideToPassOn) {
   Neighbour comes = standing({1.8, 0.4}, kPi);
   comes.speed_mps = kCruise_mps;
-  const auto mine = find_meeting({0.0, kCruise_mps}, among({comes}), {}, 0.05);
+  const auto mine = find_meeting({0.0, kCruise_mps}, among({comes}), {}, {}, 0.05);
   Perception other = among({{RobotId{3}, {0, 0}, 0.0, kCruise_mps, 0.0}});
   other.p_WB = comes.p_WB;
   other.yaw_WB_rad = kPi;
-  const auto theirs = find_meeting({0.0, kCruise_mps}, other, {}, 0.05);
+  const auto theirs = find_meeting({0.0, kCruise_mps}, other, {}, {}, 0.05);
   ASSERT_TRUE(mine && theirs);
   EXPECT_NEAR(mine->passes_m, 0.4, 1e-9) << "on my left";
   EXPECT_NEAR(theirs->passes_m, mine->passes_m, 1e-9) << "and I on its left";
@@ -146,10 +146,10 @@ TEST(Meeting, BothFindTheSameSideToPassOn) {
 TEST(Meeting, OneThatDrivesAheadOrPassesWideOrIsBehindIsNotMet) {
   Neighbour ahead = standing({1.0, 0.0}, 0.2);
   ahead.speed_mps = 0.5;
-  EXPECT_FALSE(find_meeting({0.0, kCruise_mps}, among({ahead}), {}, 0.05));
-  EXPECT_FALSE(find_meeting({0.0, kCruise_mps}, among({standing({1.0, 1.0}, 0.0)}), {}, 0.05));
-  EXPECT_FALSE(find_meeting({0.0, kCruise_mps}, among({standing({-1.0, 0.0}, 0.0)}), {}, 0.05));
-  EXPECT_TRUE(find_meeting({0.0, kCruise_mps}, among({standing({1.0, 0.3}, 0.0)}), {}, 0.05));
+  EXPECT_FALSE(find_meeting({0.0, kCruise_mps}, among({ahead}), {}, {}, 0.05));
+  EXPECT_FALSE(find_meeting({0.0, kCruise_mps}, among({standing({1.0, 1.0}, 0.0)}), {}, {}, 0.05));
+  EXPECT_FALSE(find_meeting({0.0, kCruise_mps}, among({standing({-1.0, 0.0}, 0.0)}), {}, {}, 0.05));
+  EXPECT_TRUE(find_meeting({0.0, kCruise_mps}, among({standing({1.0, 0.3}, 0.0)}), {}, {}, 0.05));
 }
 
 TEST(Neighbours, MoveOnAsTheyToldAndAreForgottenWhenTheyFallSilent) {
