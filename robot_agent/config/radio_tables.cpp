@@ -2,6 +2,28 @@
 #include "robot_agent/config/tables.hpp"
 
 namespace caravan::agent {
+namespace {
+
+void read_wait(TomlTable table, WaitSettings& wait) {
+  table.read("stray_m", wait.stray_m, kDistance_m);
+  table.read("stray_rad", wait.stray_rad, kTolerance_rad);
+  read_time(table, "stray_pause_s", wait.stray_pause);
+  read_time(table, "remembered_away_s", wait.remembered_away);
+  table.refuse_unknown();
+}
+
+void read_sharing(TomlTable table, SharingSettings& sharing) {
+  constexpr double kSessionSlot_s = 0.1;  // two attempts of a pair have different session numbers
+  read_time(table, "silence_s", sharing.silence, 0.001);
+  read_time(table, "linger_s", sharing.linger);
+  read_time(table, "rest_s", sharing.rest, kSessionSlot_s);
+  read_time(table, "hold_s", sharing.hold);
+  read_time(table, "reject_period_s", sharing.reject_period);
+  table.read("merge_gain_m", sharing.merge_gain_m, kDistance_m);
+  table.refuse_unknown();
+}
+
+}  // namespace
 
 void read_radio_side(TomlTable& algorithm, Config& config) {
   SharingSettings& sharing = config.sharing;
@@ -17,6 +39,8 @@ void read_radio_side(TomlTable& algorithm, Config& config) {
   algorithm.read("points_per_frame", sharing.points_per_frame, {1, 65535});
   read_time(algorithm, "wait_period_s", config.wait.period);
   algorithm.read("wait_tells_place", config.wait.tells_place);
+  read_wait(algorithm.table("wait"), config.wait);
+  read_sharing(algorithm.table("sharing"), sharing);
 }
 
 }  // namespace caravan::agent

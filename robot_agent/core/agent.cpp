@@ -150,7 +150,7 @@ Motion Agent::Impl::decide(const Perception& seen, Notes& notes) {
 void Agent::Impl::take(const Path& received, const Point& p_WB, Notes& notes) {
   auto* carrier = std::get_if<Carrier>(&task);
   if (!wants_path(config.sharing.mode, carrier == nullptr ? Mode::kExplore : Mode::kTransport)) return;
-  std::optional<Path> path = path_after_exchange(own_path(), received);
+  std::optional<Path> path = path_after_exchange(own_path(), received, config.sharing.merge_gain_m);
   if (!path) return;
   if (carrier == nullptr) {
     begin_carrying(std::move(*path), Origin::kReceived, p_WB, notes);
@@ -167,8 +167,8 @@ void Agent::Impl::begin_carrying(Path path, Origin from, const Point& p_WB, Note
   origin = from;
   notes.path_changed = true;
   notes.add(from == Origin::kFound ? "found_path" : "received_path", in_detail("length_m", length_m(path)));
-  task = Carrier{{config.task, config.smoothing, config.recording, config.exploration, config.passage,
-                  config.obstacles, config.body},
+  task = Carrier{{config.task, config.progress, config.following, config.smoothing, config.recording,
+                  config.exploration, config.passage, config.obstacles, config.body},
                  std::move(path),
                  p_WB};
 }

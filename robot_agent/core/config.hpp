@@ -17,6 +17,7 @@ struct Config {
   std::uint64_t seed = 1;
   bool robots_are_solid = true;  ///< false: robots pass through one another, so nobody gives way to anybody
   Task task;
+  Progress progress;
   Body body;
   Sonars sonars;
   Passage passage;
@@ -33,6 +34,7 @@ struct Config {
   EchoLoss vanishing_echo;
   PatienceSettings patience;
   RecordingSettings recording;
+  PathFollowing following;
   Smoothing smoothing;
   WaitSettings wait;
   SharingSettings sharing;

@@ -11,9 +11,9 @@
 namespace caravan::agent {
 namespace {
 
-constexpr double kTolerated_m = 0.05;  // a path on the circle is not in the way again
-constexpr int kMostRounds = 3;         // circles may overlap
-constexpr double kPiece_rad = 0.25 * std::numbers::pi;
+constexpr double kTolerated_m = 0.05;  // of geometry: a path on the circle is not in the way again
+constexpr int kMostRounds = 3;         // a bound on time; circles may overlap
+constexpr double kPiece_rad = 0.25 * std::numbers::pi;  // the shape of the bend: an octagon
 
 struct Crossing {
   std::size_t segment = 0;

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "robot_agent/core/path/path.hpp"
+#include "robot_agent/core/path/settings.hpp"
 
 namespace caravan::agent {
 
@@ -12,12 +13,15 @@ namespace caravan::agent {
 
 /// The index to drive to after the vertices that the robot at `p_WB` has passed. A robot that was pushed off
 /// its path picks it up again where it is nearest, not far from `next`.
-[[nodiscard]] std::size_t next_location(std::span<const Point> path, std::size_t next, const Point& p_WB);
+[[nodiscard]] std::size_t next_location(std::span<const Point> path, std::size_t next, const Point& p_WB,
+                                        const PathFollowing& settings);
 
 /// The same when nothing is known of where the robot is on the path.
 [[nodiscard]] std::size_t nearest_location(std::span<const Point> path, const Point& p_WB);
 
-/// Where to steer: a point of the path a little ahead of the robot, but never round a sharp corner.
-[[nodiscard]] Point steering_point(std::span<const Point> path, std::size_t next, const Point& p_WB);
+/// The look-ahead point of pure pursuit (Coulter 1992): where to steer, a little ahead along the path, but
+/// never round a sharp corner.
+[[nodiscard]] Point look_ahead_point(std::span<const Point> path, std::size_t next, const Point& p_WB,
+                                     const PathFollowing& settings);
 
 }  // namespace caravan::agent

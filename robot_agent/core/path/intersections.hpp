@@ -9,7 +9,8 @@
 
 namespace caravan::agent {
 
-/// A vertex of one path counts as being on the other within this distance.
+/// A vertex of one path counts as being on the other within this distance. Part of the protocol, not a
+/// setting: both partners must find the same intersections.
 inline constexpr double kTouch_m = 0.05;
 
 /// A place on a path where one can arrive from its beginning and leave towards its end.

@@ -11,7 +11,6 @@ namespace caravan::agent {
 namespace {
 
 constexpr std::size_t kMostIntersections = 100000;  // a bound on time and memory; honest paths have hundreds
-constexpr double kBetterBy_m = 0.01;                // a merged path that saves less is not worth a change
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 /// The best way to reach something: its length, and the intersection at which it last changed paths.
@@ -173,11 +172,11 @@ Path merge(const Path& own, const Path& other) {
   return length_m(result) <= shorter_m ? result : shorter;
 }
 
-std::optional<Path> path_after_exchange(const Path& own, const Path& received) {
+std::optional<Path> path_after_exchange(const Path& own, const Path& received, double gain_m) {
   if (received.size() < 2) return std::nullopt;
   if (own.empty()) return received;
   Path merged = merge(own, received);
-  if (merged.size() < 2 || length_m(merged) > length_m(own) - kBetterBy_m) return std::nullopt;
+  if (merged.size() < 2 || length_m(merged) > length_m(own) - gain_m) return std::nullopt;
   return merged;
 }
 

@@ -27,10 +27,10 @@ namespace caravan::agent {
 /// Algorithm 7 whole, from the receiver's side: the path to use from now, once one was received.
 ///
 /// Without a path of its own a robot takes the received one (lines 9 to 12). With one it takes what the two
-/// merge to (lines 1 to 6), when that saves at least 0.01 m.
+/// merge to (lines 1 to 6), when that saves at least `gain_m`.
 ///
 /// @param own  empty: none
 /// @return none: the robot goes on with what it has
-[[nodiscard]] std::optional<Path> path_after_exchange(const Path& own, const Path& received);
+[[nodiscard]] std::optional<Path> path_after_exchange(const Path& own, const Path& received, double gain_m);
 
 }  // namespace caravan::agent

@@ -9,9 +9,6 @@
 namespace caravan::agent {
 namespace {
 
-constexpr double kSharpTurn_rad = 0.8;
-constexpr double kShortestSegment_m = 0.25;
-
 /// Where two segments cross, if they do; ends included, parallels excluded.
 std::optional<Point> crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Point r = b - a;
@@ -30,13 +27,14 @@ void add(Path& path, const Point& vertex) {
 
 }  // namespace
 
-Recording::Recording(const Point& source, double spacing_m) : path_{on_grid(source)}, spacing_m_{spacing_m} {}
+Recording::Recording(const Point& source, const RecordingSettings& settings)
+    : path_{on_grid(source)}, settings_{settings} {}
 
 void Recording::visit(const Point& p_WB, double yaw_WB_rad) {
   const double since = (p_WB - path_.back()).norm();
-  const bool far = since >= spacing_m_;
-  const bool turned = std::abs(wrapped(yaw_WB_rad - last_yaw_WB_rad_)) > kSharpTurn_rad &&
-                      since >= std::min(kShortestSegment_m, spacing_m_);
+  const bool far = since >= settings_.spacing_m;
+  const bool turned = std::abs(wrapped(yaw_WB_rad - last_yaw_WB_rad_)) > settings_.sharp_turn_rad &&
+                      since >= std::min(settings_.shortest_m, settings_.spacing_m);
   if (started_ && !far && !turned) return;
   started_ = true;
   add(path_, on_grid(p_WB));

@@ -2,16 +2,17 @@
 #pragma once
 
 #include "robot_agent/core/path/path.hpp"
+#include "robot_agent/core/path/settings.hpp"
 
 namespace caravan::agent {
 
 /// The path that an exploring robot leaves behind it: the source, where it started, then where it came.
 ///
-/// A vertex every `spacing_m` metres, and one where the robot turned sharply, so that the polyline is what it
-/// drove. Nothing is removed while it explores.
+/// A vertex every RecordingSettings::spacing_m, and one where the robot turned sharply, so that the polyline
+/// is what it drove. Nothing is removed while it explores.
 class Recording {
  public:
-  Recording(const Point& source, double spacing_m);
+  Recording(const Point& source, const RecordingSettings& settings);
 
   /// The robot is here now, heading in W.
   void visit(const Point& p_WB, double yaw_WB_rad);
@@ -21,7 +22,7 @@ class Recording {
 
  private:
   Path path_;
-  double spacing_m_;
+  RecordingSettings settings_;
   bool started_ = false;
   double last_yaw_WB_rad_ = 0.0;  // at the last vertex
 };

@@ -5,15 +5,6 @@
 #include <array>
 
 namespace caravan::agent {
-namespace {
-
-constexpr double kAlike_m = 1.0;      // between the ends of two shortcuts that count as the same
-constexpr double kKeepAway_m = 0.45;  // from a place of touch
-
-bool near(const Point& a, const Point& b) { return (a - b).squaredNorm() < kAlike_m * kAlike_m; }
-
-}  // namespace
-
 void Refusals::refuse(const Point& from, const Point& to, Time until) { pairs_.push_back({from, to, until}); }
 
 void Refusals::touched(const Point& at, Time until) { places_.push_back({at, until}); }
@@ -25,13 +16,13 @@ void Refusals::forget(Time now) {
 
 bool Refusals::refuses(const Point& from, const Point& to, Time now) const {
   for (const Pair& pair : pairs_) {
-    const bool same = near(pair.from, from) && near(pair.to, to);
-    const bool reversed = near(pair.from, to) && near(pair.to, from);
+    const bool same = are_alike(pair.from, from) && are_alike(pair.to, to);
+    const bool reversed = are_alike(pair.from, to) && are_alike(pair.to, from);
     if (pair.until > now && (same || reversed)) return true;
   }
   const std::array<Point, 2> line = {from, to};
   return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
-    return place.until > now && project(line, place.at).distance_m < kKeepAway_m;
+    return place.until > now && project(line, place.at).distance_m < touch_room_m_;
   });
 }
 

@@ -9,6 +9,10 @@ namespace caravan::agent {
 /// see. Neither is tried again for a while.
 class Refusals {
  public:
+  /// @param alike_m  between the ends of two shortcuts that count as the same
+  /// @param touch_room_m  kept from a place of touch
+  Refusals(double alike_m, double touch_room_m) : alike_m_{alike_m}, touch_room_m_{touch_room_m} {}
+
   /// The shortcut between two points was blocked.
   void refuse(const Point& from, const Point& to, Time until);
   /// The robot touched something here.
@@ -27,6 +31,11 @@ class Refusals {
     Point at;
     Time until;
   };
+  [[nodiscard]] bool are_alike(const Point& a, const Point& b) const {
+    return (a - b).squaredNorm() < alike_m_ * alike_m_;
+  }
+  double alike_m_;
+  double touch_room_m_;
   std::vector<Pair> pairs_;
   std::vector<Place> places_;
 };

@@ -5,21 +5,19 @@
 
 #include "robot_agent/core/path/bending.hpp"
 #include "robot_agent/core/path/following.hpp"
+#include "robot_agent/core/path/intersections.hpp"
 #include "robot_agent/core/path/recording.hpp"
 #include "runtime/pure/assert.hpp"
 
 namespace caravan::agent {
 namespace {
 
-constexpr double kReached_m = 0.35;
-constexpr double kAtTheEnd_m = 2.0;
-constexpr double kPicksUp_m = 0.6;     // an old section this near is picked up at once
-constexpr double kSamePoint_m = 0.05;  // as in merge()
+constexpr double kSamePoint_m = kTouch_m;  // as in merge()
 
 }  // namespace
 
-Route::Route(Path driven, bool towards_destination, const Point& p_WB)
-    : driven_{std::move(driven)}, towards_destination_{towards_destination} {
+Route::Route(const PathFollowing& following, Path driven, bool towards_destination, const Point& p_WB)
+    : following_{following}, driven_{std::move(driven)}, towards_destination_{towards_destination} {
   CARAVAN_ASSERT(driven_.size() >= 2);
   plan_from_driven();
   next_ = nearest_location(plan_, p_WB);
@@ -63,11 +61,11 @@ double Route::remaining_m(const Point& p_WB) const {
 
 bool Route::advance(const Point& p_WB) {
   if (!back_.empty()) {
-    if ((back_.back() - p_WB).norm() < kReached_m) back_.pop_back();
+    if ((back_.back() - p_WB).norm() < following_.return_reached_m) back_.pop_back();
     pick_up(p_WB);
     return false;
   }
-  next_ = next_location(plan_, next_, p_WB);
+  next_ = next_location(plan_, next_, p_WB, following_);
   if (!provisional_ || next_ <= provisional_->last) return false;
   confirm();
   return true;
@@ -76,7 +74,7 @@ bool Route::advance(const Point& p_WB) {
 void Route::pick_up(const Point& p_WB) {
   if (keeps_until_ < next_) return;
   const Projection near = project(std::span{plan_}.subspan(next_ - 1, keeps_until_ - next_ + 2), p_WB);
-  if (near.distance_m > kPicksUp_m) return;
+  if (near.distance_m > following_.pick_up_m) return;
   back_.clear();
   next_ += near.segment;
 }
@@ -86,23 +84,21 @@ double Route::provisional_m() const {
 }
 
 Point Route::goal(const Point& p_WB) const {
-  return back_.empty() ? steering_point(plan_, next_, p_WB) : back_.back();
+  return back_.empty() ? look_ahead_point(plan_, next_, p_WB, following_) : back_.back();
 }
 
-void Route::shorten(const Point& p_WB, std::size_t candidate, double spacing_m) {
+void Route::shorten(const Point& p_WB, std::size_t candidate, double spacing_m, double merge_m) {
   CARAVAN_ASSERT(back_.empty());
   const Point to = plan_[candidate];
   const std::size_t old_size = plan_.size();
-  std::size_t next = 0;
-  std::size_t last = 0;
-  Path plan = with_shortcut(ahead(), p_WB, candidate, spacing_m, next, last);
-  Provisional now{next - 1, last, {p_WB, to}};
+  Shortened shortened = with_shortcut(ahead(), p_WB, candidate, spacing_m, merge_m);
+  Provisional now{shortened.next - 1, shortened.last, {p_WB, to}};
   if (provisional_) {
     now.first = std::min(now.first, provisional_->first);
-    if (provisional_->last > candidate) now.last = plan.size() - (old_size - provisional_->last);
+    if (provisional_->last > candidate) now.last = shortened.path.size() - (old_size - provisional_->last);
   }
-  plan_ = std::move(plan);
-  next_ = next;
+  plan_ = std::move(shortened.path);
+  next_ = shortened.next;
   provisional_ = now;
   measure();
 }
@@ -142,7 +138,7 @@ Route::Ends Route::restore(const Point& p_WB) {
   next_ = nearest_location(plan_, left_at);
   const std::span ahead = std::span{plan_}.subspan(next_ - 1);
   keeps_until_ = next_ + project(ahead, leads_to).segment;
-  while (!back.empty() && (back.back() - p_WB).norm() < kReached_m) back.pop_back();
+  while (!back.empty() && (back.back() - p_WB).norm() < following_.return_reached_m) back.pop_back();
   back_ = std::move(back);
   return blocked;
 }
@@ -154,7 +150,7 @@ void Route::rejoin(const Point& p_WB) {
 
 void Route::turn_round(const Point& p_WB) {
   // An end may come near before the shortcut's does: then it has not been driven.
-  if (remaining_m(p_WB) < kAtTheEnd_m && back_.empty()) confirm();
+  if (remaining_m(p_WB) < following_.end_m && back_.empty()) confirm();
   driven_ = without_loops(driven_);
   towards_destination_ = !towards_destination_;
   plan_from_driven();
@@ -175,7 +171,7 @@ void Route::replace(Path driven, const Point& p_WB) {
     if (project(plan_, old[i]).distance_m <= kSamePoint_m) break;
   }
   next_ = nearest_location(plan_, way.back());
-  if (project(plan_, p_WB).distance_m <= kReached_m) {
+  if (project(plan_, p_WB).distance_m <= following_.return_reached_m) {
     next_ = nearest_location(plan_, p_WB);
     way.clear();
   }

@@ -15,7 +15,7 @@ namespace caravan::agent {
 class Route {
  public:
   /// @param driven from the source to the destination, at least two vertices
-  Route(Path driven, bool towards_destination, const Point& p_WB);
+  Route(const PathFollowing& following, Path driven, bool towards_destination, const Point& p_WB);
 
   [[nodiscard]] const Path& driven() const { return driven_; }
   [[nodiscard]] const Path& plan() const { return plan_; }
@@ -35,11 +35,11 @@ class Route {
 
   /// The robot is here now. @return true when it has driven a provisional shortcut to its end
   bool advance(const Point& p_WB);
-  /// Where to steer.
+  /// Where to steer: the look-ahead point, or the next point of the way back.
   [[nodiscard]] Point goal(const Point& p_WB) const;
 
   /// Takes a shortcut from where the robot is, provisionally.
-  void shorten(const Point& p_WB, std::size_t candidate, double spacing_m);
+  void shorten(const Point& p_WB, std::size_t candidate, double spacing_m, double merge_m);
   /// Leads the plan ahead round places that are in its way, provisionally. @return true when one is
   bool bend_round(std::span<const Point> places, double clear_m, const Point& p_WB);
   struct Ends {
@@ -65,6 +65,7 @@ class Route {
   void measure();
   void confirm();
   void pick_up(const Point& p_WB);
+  PathFollowing following_;
   Path driven_;
   Path plan_;
   std::vector<double> to_end_m_;

@@ -11,8 +11,8 @@
 namespace caravan::agent {
 namespace {
 
+// Candidates whose way is looked at, without allocation; the best are first, so what is left out gains least.
 constexpr std::size_t kMostTried = 8;
-constexpr double kMerges_m = 0.3;  // a vertex this near behind the robot is left out
 
 /// The best few by gain, best first, without allocation.
 class BestFew {
@@ -67,14 +67,16 @@ std::optional<Shortcut> find_shortcut(const Ahead& ahead, const Perception& seen
   return std::nullopt;
 }
 
-Path with_shortcut(const Ahead& ahead, const Point& at, std::size_t candidate, double spacing_m,
-                   std::size_t& next, std::size_t& last) {
+Shortened with_shortcut(const Ahead& ahead, const Point& at, std::size_t candidate, double spacing_m,
+                        double merge_m) {
   CARAVAN_ASSERT(ahead.next <= candidate && candidate < ahead.plan.size() && spacing_m > 0.0);
-  Path path(ahead.plan.begin(), ahead.plan.begin() + static_cast<std::ptrdiff_t>(ahead.next));
+  Shortened result;
+  Path& path = result.path;
+  path.assign(ahead.plan.begin(), ahead.plan.begin() + static_cast<std::ptrdiff_t>(ahead.next));
   const Point from = on_grid(at);
-  while (path.size() > 1 && (path.back() - from).norm() < kMerges_m) path.pop_back();
+  while (path.size() > 1 && (path.back() - from).norm() < merge_m) path.pop_back();
   if (path.empty() || path.back() != from) path.push_back(from);
-  next = path.size();
+  result.next = path.size();
   const Point to = ahead.plan[candidate];
   const double distance = (to - from).norm();
   const auto pieces = std::max<std::int64_t>(1, std::llround(distance / spacing_m));
@@ -82,9 +84,9 @@ Path with_shortcut(const Ahead& ahead, const Point& at, std::size_t candidate, d
     const double part = static_cast<double>(piece) / static_cast<double>(pieces);
     path.push_back(on_grid(from + part * (to - from)));
   }
-  last = path.size();
+  result.last = path.size();
   path.insert(path.end(), ahead.plan.begin() + static_cast<std::ptrdiff_t>(candidate), ahead.plan.end());
-  return path;
+  return result;
 }
 
 }  // namespace caravan::agent

@@ -46,13 +46,20 @@ struct Shortcut {
 [[nodiscard]] std::optional<Shortcut> find_shortcut(const Ahead& ahead, const Perception& seen,
                                                     const ShortcutSearch& search, const Refusals& refusals);
 
+/// A path with a shortcut.
+struct Shortened {
+  Path path;
+  std::size_t next = 0;  ///< index of the first vertex after the beginning of the shortcut
+  std::size_t last = 0;  ///< index of the candidate
+};
+
 /// Lines 17 and 18: the path with new vertices on the straight line from where the robot is to the candidate,
 /// in place of the old ones.
 ///
-/// @param at      where the robot is; becomes a vertex
-/// @param[out] next  index in the result of the first vertex after `at`
-/// @param[out] last  index in the result of the candidate
-[[nodiscard]] Path with_shortcut(const Ahead& ahead, const Point& at, std::size_t candidate, double spacing_m,
-                                 std::size_t& next, std::size_t& last);
+/// @param at         where the robot is; becomes a vertex
+/// @param spacing_m  between the new vertices
+/// @param merge_m    a vertex this near behind `at` is left out
+[[nodiscard]] Shortened with_shortcut(const Ahead& ahead, const Point& at, std::size_t candidate,
+                                      double spacing_m, double merge_m);
 
 }  // namespace caravan::agent

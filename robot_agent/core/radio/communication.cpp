@@ -10,22 +10,11 @@
 #include "robot_agent/core/radio/frames/codec.hpp"
 #include "robot_agent/core/radio/pairing/can_communicate.hpp"
 #include "robot_agent/core/radio/pairing/pairing.hpp"
-#include "robot_agent/core/radio/pairing/timers.hpp"
 #include "robot_agent/core/sensing/neighbours.hpp"
 #include "runtime/pure/assert.hpp"
 #include "runtime/pure/overload.hpp"
 
 namespace caravan::agent {
-namespace {
-
-using namespace std::chrono_literals;
-
-// Where others must take this robot to be may be wrong by so much, before it tells them anew,
-constexpr double kStrays_m = 0.1;
-constexpr double kStrays_rad = 0.3;
-constexpr Time kAgainAfter = 100ms;  // but not sooner
-
-}  // namespace
 
 struct Communication::Impl {
   RobotId id;
@@ -129,7 +118,7 @@ void Communication::Impl::hear(const ReceivedFrame& frame, const AirInputs& inpu
 }
 
 void Communication::Impl::hear_wait(const Wait& heard, const AirInputs& inputs, AirOutputs& outputs) {
-  if (heard.from == id) return;  // somebody bears our number
+  if (heard.from == id) return;  // another robot uses our id
   robot_heard = inputs.now;
   outputs.robots.push_back(heard);
   apply(WaitHeard{heard, is_eligible(heard.from, heard.mode, inputs)}, inputs, outputs);
@@ -171,11 +160,11 @@ void Communication::Impl::conclude(const Outcome& outcome, AirOutputs& outputs) 
 
 bool Communication::Impl::strays(const AirInputs& inputs) const {
   if (!told || !inputs.whereabouts || !is_robot_near(inputs.now)) return false;
-  if (inputs.now - told_at < kAgainAfter) return false;
+  if (inputs.now - told_at < wait.stray_pause) return false;
   const Neighbour believed = carried_on(id, *told, inputs.now - told_at);
   const Neighbour is = carried_on(id, *inputs.whereabouts, Time{0});
-  return (believed.p_WB - is.p_WB).norm() > kStrays_m ||
-         std::abs(wrapped(believed.yaw_WB_rad - is.yaw_WB_rad)) > kStrays_rad;
+  return (believed.p_WB - is.p_WB).norm() > wait.stray_m ||
+         std::abs(wrapped(believed.yaw_WB_rad - is.yaw_WB_rad)) > wait.stray_rad;
 }
 
 void Communication::Impl::send_wait(const AirInputs& inputs, AirOutputs& outputs) {
@@ -220,7 +209,7 @@ void Communication::Impl::send_for_state(Send send, const AirInputs& inputs, Air
 
 void Communication::Impl::send_rejections(Time now, AirOutputs& outputs) {
   for (const Refuse& refuse : refusals) {
-    if (!contacts.may_reject(refuse.to, now)) continue;
+    if (!contacts.may_reject(refuse.to, now, sharing.reject_period)) continue;
     const Channel channel = refuse.on_private_channel ? channel_with(refuse.to) : kCommonChannel;
     outputs.frames.push_back({channel, encode(Reject{id, refuse.to, refuse.session, refuse.refusal})});
   }
@@ -239,7 +228,7 @@ Channel Communication::Impl::tuned() const {
 
 /// Robots are silent to one who listens elsewhere, and between their WAITs.
 bool Communication::Impl::is_robot_near(Time now) const {
-  const Time remembered = listened == kCommonChannel ? Time{wait.period} : kRemember;
+  const Time remembered = listened == kCommonChannel ? Time{wait.period} : wait.remembered_away;
   return robot_heard && now - *robot_heard <= remembered;
 }
 

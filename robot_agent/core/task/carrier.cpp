@@ -12,34 +12,24 @@
 namespace caravan::agent {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr double kSmoothsEvery_m = 0.25;
-constexpr double kOnPath_m = 0.6;  // a shortcut begins on the path
-// A shortcut on a shortcut must be worth more: each one puts off the moment when all are driven.
-constexpr double kNestedGain_m = 0.4;
-constexpr double kLongestProvisional_m = 8.0;
-constexpr double kProgress_m = 0.5;
-constexpr Time kWithoutProgress = 8s;
-constexpr Time kLongestStep = 200ms;  // longer pauses were exchanges
-constexpr double kFirstWander_m = 2.5;
-constexpr Time kWanderPatience = 20s;
-constexpr Time kWanderAgain = 60s;
+constexpr Time kLongestStep =
+    std::chrono::milliseconds{200};  // what takes longer was an exchange, not driving
 
 /// From the middle of what it touched: a little more than shortcuts keep, so that it does not stop beside it.
-double keeps_from_touched_m(const Passage& passage, const ObstacleMemory& obstacles) {
-  return 0.5 * passage.corridor_m + obstacles.margin_m + 0.05;
+double keeps_from_touched_m(const Passage& passage, const ObstacleMemory& obstacles, double room_m) {
+  return 0.5 * passage.corridor_m + obstacles.margin_m + room_m;
 }
 
 }  // namespace
 
 Carrier::Carrier(const CarrierSettings& settings, Path path, const Point& p_WB)
     : settings_{settings},
-      route_{std::move(path), false, p_WB},
+      route_{settings.following, std::move(path), false, p_WB},
+      refusals_{settings.smoothing.alike_m, settings.smoothing.touch_room_m},
       gripper_{settings.task.gripper_patience},
       last_smoothed_at_{p_WB},
       best_remaining_m_{std::numeric_limits<double>::infinity()},
-      last_wander_{-kWanderAgain} {}
+      last_wander_{-settings.progress.wander_again} {}
 
 void Carrier::sense(const Perception& seen, Notes& notes) {
   switch (gripper_.sense(seen.holding, seen.now)) {
@@ -79,9 +69,14 @@ Motion Carrier::step(const Perception& seen, Driver& driver, pure::Random& rando
     notes.add("unstuck");
   }
   if (!makes_progress(seen)) {
-    wanders_ = seen.now - last_wander_ < kWanderAgain ? std::min(wanders_ + 1, 3) : 0;
+    wanders_ = seen.now - last_wander_ < settings_.progress.wander_again
+                   ? std::min(wanders_ + 1, settings_.progress.wander_doublings)
+                   : 0;
     last_wander_ = seen.now;
-    state_ = Wandering{seen.p_WB, kFirstWander_m * std::exp2(wanders_), seen.now + kWanderPatience, {}};
+    state_ = Wandering{seen.p_WB,
+                       settings_.progress.wander_m * std::exp2(wanders_),
+                       seen.now + settings_.progress.wander_timeout,
+                       {}};
     notes.add("no_progress");
     return wander(std::get<Wandering>(state_), seen, driver, random);
   }
@@ -110,8 +105,10 @@ Motion Carrier::follow(const Perception& seen, Driver& driver, pure::Random& ran
   }
   if (driver.is_steering()) smooth(seen);
   if (!seen.touched_W.empty() &&
-      route_.bend_round(seen.touched_W, keeps_from_touched_m(settings_.passage, settings_.obstacles),
-                        seen.p_WB)) {
+      route_.bend_round(
+          seen.touched_W,
+          keeps_from_touched_m(settings_.passage, settings_.obstacles, settings_.smoothing.bend_room_m),
+          seen.p_WB)) {
     expect_progress();
     notes.add("path_bent");
   }
@@ -121,15 +118,17 @@ Motion Carrier::follow(const Perception& seen, Driver& driver, pure::Random& ran
 }
 
 void Carrier::smooth(const Perception& seen) {
-  if (seen.distance_to(last_smoothed_at_) < kSmoothsEvery_m || !route_.may_shorten()) return;
-  last_smoothed_at_ = seen.p_WB;
-  if (route_.off_path_m(seen.p_WB) > kOnPath_m || route_.provisional_m() > kLongestProvisional_m) return;
   const Smoothing& smoothing = settings_.smoothing;
-  const double least = route_.is_provisional() ? std::max(kNestedGain_m, smoothing.gain_m) : smoothing.gain_m;
+  if (seen.distance_to(last_smoothed_at_) < smoothing.interval_m || !route_.may_shorten()) return;
+  last_smoothed_at_ = seen.p_WB;
+  if (route_.off_path_m(seen.p_WB) > smoothing.on_path_m || route_.provisional_m() > smoothing.provisional_m)
+    return;
+  const double least =
+      route_.is_provisional() ? std::max(smoothing.nested_gain_m, smoothing.gain_m) : smoothing.gain_m;
   const auto shortcut = find_shortcut(
       route_.ahead(), seen, {smoothing.vision_radius_m, least, settings_.passage, settings_.body}, refusals_);
   if (!shortcut) return;
-  route_.shorten(seen.p_WB, shortcut->candidate, settings_.recording.spacing_m);
+  route_.shorten(seen.p_WB, shortcut->candidate, settings_.recording.spacing_m, smoothing.merge_m);
   expect_progress();
 }
 
@@ -167,14 +166,14 @@ Motion Carrier::wander(Wandering& state, const Perception& seen, Driver& driver,
 
 bool Carrier::makes_progress(const Perception& seen) {
   const double remaining = route_.remaining_m(seen.p_WB);
-  if (remaining < best_remaining_m_ - kProgress_m) {
+  if (remaining < best_remaining_m_ - settings_.progress.least_m) {
     best_remaining_m_ = remaining;
     without_progress_ = Time{0};
   } else {
     without_progress_ += std::min(seen.now - last_step_, kLongestStep);
   }
   last_step_ = seen.now;
-  return without_progress_ < kWithoutProgress;
+  return without_progress_ < settings_.progress.timeout;
 }
 
 void Carrier::expect_progress() {

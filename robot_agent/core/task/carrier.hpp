@@ -14,6 +14,8 @@ namespace caravan::agent {
 /// What a Carrier goes by.
 struct CarrierSettings {
   Task task;
+  Progress progress;
+  PathFollowing following;
   Smoothing smoothing;
   RecordingSettings recording;
   Exploration exploration;
@@ -74,7 +76,7 @@ class Carrier {
   Time without_progress_{0};
   Time last_step_{0};
   Time last_wander_;
-  int wanders_ = 0;
+  std::uint32_t wanders_ = 0;
 };
 
 }  // namespace caravan::agent

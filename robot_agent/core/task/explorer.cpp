@@ -7,7 +7,7 @@
 
 namespace caravan::agent {
 Explorer::Explorer(const ExplorerSettings& settings)
-    : settings_{settings}, record_{settings.task.source, settings.recording.spacing_m}, state_{Searching{}} {}
+    : settings_{settings}, record_{settings.task.source, settings.recording}, state_{Searching{}} {}
 
 Motion Explorer::step(const Perception& seen, Driver& driver, pure::Random& random) {
   record_.visit(seen.p_WB, seen.yaw_WB_rad);

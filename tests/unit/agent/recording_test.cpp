@@ -12,20 +12,20 @@ namespace {
 using testing::ElementsAre;
 
 TEST(Recording, BeginsWithTheSourceAndThenTheStart) {
-  Recording record{{-1, -1}, 1.0};
+  Recording record{{-1, -1}, {}};
   record.visit({0, 0}, 0.0);
   EXPECT_THAT(record.so_far(), ElementsAre(Point{-1, -1}, Point{0, 0}));
 }
 
 TEST(Recording, AVertexEveryMetre) {
-  Recording record{{0, 0}, 1.0};
+  Recording record{{0, 0}, {}};
   for (int i = 0; i <= 350; ++i) record.visit({0.01 * i, 0}, 0.0);
   EXPECT_THAT(record.finished_at({3.5, 0}, {4.2, 0}),
               ElementsAre(Point{0, 0}, Point{1, 0}, Point{2, 0}, Point{3, 0}, Point{3.5, 0}, Point{4.2, 0}));
 }
 
 TEST(Recording, ASharpTurnIsAVertexSoThatNoCornerIsCut) {
-  Recording record{{0, 0}, 1.0};
+  Recording record{{0, 0}, {}};
   record.visit({0, 0}, 0.0);
   for (int i = 0; i <= 60; ++i) record.visit({0.01 * i, 0}, 0.0);
   for (int i = 0; i <= 60; ++i) record.visit({0.6, 0.01 * i}, 1.5);
@@ -33,7 +33,7 @@ TEST(Recording, ASharpTurnIsAVertexSoThatNoCornerIsCut) {
 }
 
 TEST(Recording, VerticesLieOnTheGrid) {
-  Recording record{{0.00049, 0}, 1.0};
+  Recording record{{0.00049, 0}, {}};
   record.visit({1.23456, 2.34567}, 0.0);
   EXPECT_THAT(record.so_far(), ElementsAre(Point{0, 0}, Point{1.235, 2.346}));
 }

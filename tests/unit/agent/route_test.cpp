@@ -6,7 +6,7 @@
 namespace caravan::agent {
 namespace {
 
-const Path kBowed = {{0, 0}, {1, 2}, {2, 3}, {3, 2}, {4, 0}, {6, 0}, {8, 0}};
+const Path kArc = {{0, 0}, {1, 2}, {2, 3}, {3, 2}, {4, 0}, {6, 0}, {8, 0}};
 
 /// Moves along the route's goals until it has come to the end or `steps` are over.
 Point drive(Route& route, Point p, int steps) {
@@ -19,34 +19,34 @@ Point drive(Route& route, Point p, int steps) {
 }
 
 TEST(Route, IsFollowedToItsEndInBothDirections) {
-  Route out{kBowed, true, {0, 0}};
+  Route out{{}, kArc, true, {0, 0}};
   EXPECT_LT((drive(out, {0, 0}, 1000) - Point{8, 0}).norm(), 0.31);
-  Route back{kBowed, false, {8, 0}};
+  Route back{{}, kArc, false, {8, 0}};
   EXPECT_LT((drive(back, {8, 0}, 1000) - Point{0, 0}).norm(), 0.31);
 }
 
 TEST(Route, AShortcutIsProvisionalUntilDrivenAndOnlyTheDrivenPathIsGiven) {
-  Route route{kBowed, true, {0, 0}};
-  route.shorten({0, 0}, 4, 1.0);
+  Route route{{}, kArc, true, {0, 0}};
+  route.shorten({0, 0}, 4, 1.0, 0.3);
   EXPECT_TRUE(route.is_provisional());
-  EXPECT_EQ(route.driven(), kBowed);
+  EXPECT_EQ(route.driven(), kArc);
   Point p = drive(route, {0, 0}, 40);
-  EXPECT_EQ(route.driven(), kBowed);
+  EXPECT_EQ(route.driven(), kArc);
   p = drive(route, p, 60);
   EXPECT_FALSE(route.is_provisional());
   EXPECT_NEAR(length_m(route.driven()), 8.0, 1e-6);
 }
 
 TEST(Route, ABlockedShortcutGivesTheOldSectionBackAndTheRobotReturnsToIt) {
-  Route route{kBowed, true, {0, 0}};
-  route.shorten({0, 0}, 4, 1.0);
+  Route route{{}, kArc, true, {0, 0}};
+  route.shorten({0, 0}, 4, 1.0, 0.3);
   Point p = drive(route, {0, 0}, 30);
   EXPECT_NEAR(p.x(), 1.5, 0.1);
   const Route::Ends blocked = route.restore(p);
   EXPECT_EQ(blocked.from, (Point{0, 0}));
   EXPECT_EQ(blocked.to, (Point{4, 0}));
   EXPECT_FALSE(route.is_provisional());
-  EXPECT_EQ(route.plan(), kBowed);
+  EXPECT_EQ(route.plan(), kArc);
   EXPECT_FALSE(route.may_shorten());
   double highest = 0.0;
   for (int i = 0; i < 400; ++i) {
@@ -60,7 +60,7 @@ TEST(Route, ABlockedShortcutGivesTheOldSectionBackAndTheRobotReturnsToIt) {
 TEST(Route, IsBentRoundPlacesProvisionallyUntilDriven) {
   const Path straight = {{0, 0}, {2, 0}, {4, 0}, {6, 0}, {8, 0}};
   const std::vector<Point> places = {{3.0, 0.1}};
-  Route route{straight, true, {0, 0}};
+  Route route{{}, straight, true, {0, 0}};
   EXPECT_TRUE(route.bend_round(places, 0.6, {0, 0}));
   EXPECT_FALSE(route.bend_round(places, 0.6, {0, 0})) << "it is bent";
   EXPECT_EQ(route.driven(), straight);
@@ -79,7 +79,7 @@ TEST(Route, IsBentRoundPlacesProvisionallyUntilDriven) {
 TEST(Route, ABlockedBendGivesTheOldSectionBack) {
   const Path straight = {{0, 0}, {2, 0}, {4, 0}, {6, 0}, {8, 0}};
   const std::vector<Point> places = {{3.0, 0.1}};
-  Route route{straight, true, {0, 0}};
+  Route route{{}, straight, true, {0, 0}};
   EXPECT_TRUE(route.bend_round(places, 0.6, {0, 0}));
   const Point p = drive(route, {0, 0}, 55);
   (void)route.restore(p);
@@ -89,8 +89,8 @@ TEST(Route, ABlockedBendGivesTheOldSectionBack) {
 }
 
 TEST(Route, AfterABlockedShortcutTheOldSectionIsDrivenBeforeTheNextIsTried) {
-  Route route{kBowed, true, {0, 0}};
-  route.shorten({0, 0}, 4, 1.0);
+  Route route{{}, kArc, true, {0, 0}};
+  route.shorten({0, 0}, 4, 1.0, 0.3);
   Point p = drive(route, {0, 0}, 30);
   (void)route.restore(p);
   bool early = false;
@@ -104,10 +104,10 @@ TEST(Route, AfterABlockedShortcutTheOldSectionIsDrivenBeforeTheNextIsTried) {
 
 TEST(Route, AShortcutOnAShortcutIsGivenUpAsAWhole) {
   const Path arc = {{0, 0}, {1, 2}, {2, 3}, {3, 2}, {4, 0}, {5, -2}, {6, -3}, {7, -2}, {8, 0}, {12, 0}};
-  Route route{arc, true, {0, 0}};
-  route.shorten({0, 0}, 4, 1.0);
+  Route route{{}, arc, true, {0, 0}};
+  route.shorten({0, 0}, 4, 1.0, 0.3);
   Point p = drive(route, {0, 0}, 50);
-  route.shorten(p, route.plan().size() - 2, 1.0);
+  route.shorten(p, route.plan().size() - 2, 1.0, 0.3);
   p = drive(route, p, 40);
   EXPECT_EQ(route.driven(), arc);
   EXPECT_EQ(route.restore(p).to, (Point{8, 0}));
@@ -115,8 +115,8 @@ TEST(Route, AShortcutOnAShortcutIsGivenUpAsAWhole) {
 }
 
 TEST(Route, AShortcutOnTheWayBackShortensTheSamePath) {
-  Route route{kBowed, false, {4, 0}};
-  route.shorten({4, 0}, route.plan().size() - 1, 1.0);
+  Route route{{}, kArc, false, {4, 0}};
+  route.shorten({4, 0}, route.plan().size() - 1, 1.0, 0.3);
   Point p = drive(route, {4, 0}, 1000);
   route.turn_round(p);
   EXPECT_NEAR(length_m(route.driven()), 8.0, 1e-6);
@@ -126,16 +126,16 @@ TEST(Route, AShortcutOnTheWayBackShortensTheSamePath) {
 }
 
 TEST(Route, AShortcutThatWasNotDrivenToItsEndIsDroppedAtTheEndOfTheWay) {
-  Route route{kBowed, false, {4, 0}};
-  route.shorten({4, 0}, route.plan().size() - 1, 1.0);
+  Route route{{}, kArc, false, {4, 0}};
+  route.shorten({4, 0}, route.plan().size() - 1, 1.0, 0.3);
   route.turn_round({3.5, 0});
-  EXPECT_EQ(route.driven(), kBowed);
+  EXPECT_EQ(route.driven(), kArc);
 }
 
 TEST(Route, ABetterPathIsTakenWhereTheOldOneMeetsIt) {
   const Path upper = {{0, 0}, {0, 4}, {4, 4}, {8, 4}, {8, 0}};
   const Path merged = {{0, 0}, {4, 0}, {8, 0}};
-  Route route{upper, true, {0, 0}};
+  Route route{{}, upper, true, {0, 0}};
   Point p = drive(route, {0, 0}, 120);  // on its way along the upper path
   route.replace(merged, p);
   EXPECT_EQ(route.driven(), merged);
@@ -147,11 +147,11 @@ TEST(Route, ABetterPathIsTakenWhereTheOldOneMeetsIt) {
 }
 
 TEST(Route, ARobotThatWanderedPicksThePathUpWhereItIsNearest) {
-  Route route{kBowed, true, {0, 0}};
-  route.shorten({0, 0}, 4, 1.0);
+  Route route{{}, kArc, true, {0, 0}};
+  route.shorten({0, 0}, 4, 1.0, 0.3);
   route.rejoin({6.2, 1.5});
   EXPECT_FALSE(route.is_provisional());
-  EXPECT_EQ(route.plan(), kBowed);
+  EXPECT_EQ(route.plan(), kArc);
   EXPECT_NEAR(route.remaining_m({6.2, 1.5}), std::hypot(1.8, 1.5), 1e-6);
 }
 

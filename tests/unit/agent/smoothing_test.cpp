@@ -16,7 +16,7 @@ using test::look;
 using test::Wall;
 
 constexpr double kPi = std::numbers::pi;
-const Refusals kNone;
+const Refusals kNone{1.0, 0.45};
 
 /// A path in the order of travel with the lengths that go with it.
 struct Way {
@@ -94,7 +94,7 @@ TEST(Smoothing, AWayAlongsideAWallIsReachable) {
 }
 
 TEST(Smoothing, WhatWasRefusedIsNotOfferedAgainUntilItsTime) {
-  Refusals refusals;
+  Refusals refusals{1.0, 0.45};
   refusals.refuse({0.3, 0.2}, {4.2, -0.3}, 10s);
   Perception seen = look({}, {0, 0}, 0.0);
   const auto other = find_shortcut(detour().from(1), seen, {}, refusals);
@@ -105,14 +105,14 @@ TEST(Smoothing, WhatWasRefusedIsNotOfferedAgainUntilItsTime) {
 }
 
 TEST(Smoothing, TheRefusedPairIsRefusedFromItsOtherEndToo) {
-  Refusals refusals;
+  Refusals refusals{1.0, 0.45};
   refusals.refuse({0, 0}, {5, 0}, 10s);
   EXPECT_TRUE(refusals.refuses({5, 0}, {0, 0}, 1s));
   EXPECT_FALSE(refusals.refuses({5, 3}, {0, 3}, 1s));
 }
 
 TEST(Smoothing, AShortcutPastAPlaceOfTouchIsRefused) {
-  Refusals refusals;
+  Refusals refusals{1.0, 0.45};
   refusals.touched({2, 0.3}, 10s);
   EXPECT_TRUE(refusals.refuses({0, 0}, {4, 0}, 1s));
   EXPECT_FALSE(refusals.refuses({0, -1}, {4, -1}, 1s));
@@ -121,9 +121,7 @@ TEST(Smoothing, AShortcutPastAPlaceOfTouchIsRefused) {
 }
 
 TEST(Smoothing, TheNewVerticesLieOnTheStraightLineAtTheSpacing) {
-  std::size_t next = 0;
-  std::size_t last = 0;
-  const Path path = with_shortcut(detour().from(2), {1, 1.5}, 5, 1.0, next, last);
+  const auto [path, next, last] = with_shortcut(detour().from(2), {1, 1.5}, 5, 1.0, 0.3);
   EXPECT_EQ(path.front(), (Point{0, 0}));
   EXPECT_EQ(path.back(), (Point{20, 0}));
   EXPECT_EQ(path[last], (Point{5, 0}));

@@ -61,10 +61,10 @@ TEST_F(CanCommunicate, ARobotToBeAvoidedIsEligibleAgainAtTheMomentSet) {  // P-2
 
 TEST(Contacts, AllowOneRejectionASecondToEachRobot) {  // P-34
   Contacts contacts;
-  EXPECT_TRUE(contacts.may_reject(RobotId{7}, 5s));
-  EXPECT_FALSE(contacts.may_reject(RobotId{7}, 5999ms));
-  EXPECT_TRUE(contacts.may_reject(RobotId{3}, 5999ms));
-  EXPECT_TRUE(contacts.may_reject(RobotId{7}, 6s));
+  EXPECT_TRUE(contacts.may_reject(RobotId{7}, 5s, 1s));
+  EXPECT_FALSE(contacts.may_reject(RobotId{7}, 5999ms, 1s));
+  EXPECT_TRUE(contacts.may_reject(RobotId{3}, 5999ms, 1s));
+  EXPECT_TRUE(contacts.may_reject(RobotId{7}, 6s, 1s));
 }
 
 TEST(PrivateChannel, IsDistinctForAllPairsOfAThousandRobotsAtTheDefaultChannelCount) {  // P-35

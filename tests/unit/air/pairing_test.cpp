@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "robot_agent/core/radio/pairing/timers.hpp"
-
 namespace caravan::agent {
 namespace {
 
@@ -129,7 +127,7 @@ TEST(PairingAccepting, SendsAcceptOnceAPeriodUpToTheNumberOfAttempts) {  // P-31
     }
     if (decision.outcome) {
       EXPECT_EQ(now, kNow + 8s);
-      EXPECT_EQ(decision.outcome->hold, kHold);
+      EXPECT_EQ(decision.outcome->hold, 30s);
       EXPECT_FALSE(decision.outcome->exchange.completed);
     }
     state = decision.next;
@@ -150,8 +148,8 @@ TEST(PairingNegotiation, EndsOnItsPartnersRejection) {  // P-32
   for (const std::uint16_t session : {std::uint16_t{0}, kSession}) {
     const Decision declined = decide(accepting(), reject(kLow, session));
     ASSERT_TRUE(is<Free>(declined.next));
-    EXPECT_EQ(std::get<Free>(declined.next).rests_until, kNow + kRest);
-    EXPECT_EQ(declined.outcome->hold, kHold);
+    EXPECT_EQ(std::get<Free>(declined.next).rests_until, kNow + 1s);
+    EXPECT_EQ(declined.outcome->hold, 30s);
   }
   EXPECT_EQ(decide(accepting(), reject(kLow, 0, Refusal::kBusy)).outcome->hold, Time{0});
   EXPECT_TRUE(ignores(accepting(), reject(kLow, kSession + 1)));
@@ -171,8 +169,8 @@ TEST(PairingNegotiation, EndsWhenThePartnerIsBusyWithAnother) {  // P-32
 
 TEST(PairingNegotiation, EndsWhenThePartnerIsSilentOrTheSpanIsOver) {  // P-32
   for (const State& state : {State{accepting()}, State{awaiting()}}) {
-    EXPECT_FALSE(is<Free>(decide(state, Tick{}, kNow + kSilence - 1ns).next));
-    EXPECT_TRUE(is<Free>(decide(state, Tick{}, kNow + kSilence).next));
+    EXPECT_FALSE(is<Free>(decide(state, Tick{}, kNow + 2s - 1ns).next));
+    EXPECT_TRUE(is<Free>(decide(state, Tick{}, kNow + 2s).next));
   }
   Awaiting long_ago = awaiting();
   long_ago.last_heard = kNow + 8s;
@@ -220,7 +218,7 @@ TEST(PairingInSession, IgnoresOtherSessionsAndStrangers) {  // P-36
 TEST(PairingInSession, CompletesWhenBothPathsHaveCrossedAndLingers) {  // P-38
   const Decision crossed = decide(in_session(true), FragmentHeard{kHigh, kSession, true}, kNow + 1s);
   ASSERT_TRUE(is<Lingering>(crossed.next));
-  EXPECT_EQ(std::get<Lingering>(crossed.next).leaves, kNow + 1s + kLinger);
+  EXPECT_EQ(std::get<Lingering>(crossed.next).leaves, kNow + 1500ms);
   EXPECT_TRUE(crossed.outcome->exchange.completed);
   EXPECT_EQ(crossed.outcome->exchange.began, kNow);
   EXPECT_EQ(crossed.outcome->exchange.ended, kNow + 1s);
@@ -232,8 +230,8 @@ TEST(PairingInSession, CompletesWhenBothPathsHaveCrossedAndLingers) {  // P-38
 
 TEST(PairingInSession, FailsAtTheSessionTimerOnSilenceAndOnRejection) {  // P-32
   InSession session = in_session(true);
-  EXPECT_TRUE(is<InSession>(decide(session, Tick{}, kNow + kSilence - 1ns).next));
-  EXPECT_TRUE(is<Free>(decide(session, Tick{}, kNow + kSilence).next));
+  EXPECT_TRUE(is<InSession>(decide(session, Tick{}, kNow + 2s - 1ns).next));
+  EXPECT_TRUE(is<Free>(decide(session, Tick{}, kNow + 2s).next));
   session.last_heard = kNow + 10s;
   EXPECT_TRUE(is<InSession>(decide(session, Tick{}, kNow + 10s - 1ns).next));
   EXPECT_TRUE(is<Free>(decide(session, Tick{}, kNow + 10s).next));

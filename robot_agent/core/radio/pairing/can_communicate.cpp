@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "robot_agent/core/radio/pairing/timers.hpp"
 #include "runtime/pure/assert.hpp"
 
 namespace caravan::agent {
@@ -29,10 +28,10 @@ void Contacts::avoid_until(RobotId robot, Time moment) {
   contact.again_from = std::max(contact.again_from, moment);
 }
 
-bool Contacts::may_reject(RobotId robot, Time now) {
+bool Contacts::may_reject(RobotId robot, Time now, Time period) {
   Contact& contact = at(robot);
   if (now < contact.next_reject_from) return false;
-  contact.next_reject_from = now + kRejectPeriod;
+  contact.next_reject_from = now + period;
   return true;
 }
 

@@ -20,8 +20,8 @@ class Contacts {
   [[nodiscard]] const Contact* find(RobotId robot) const;
   /// Not to be paired with before `moment`; never shortens.
   void avoid_until(RobotId robot, Time moment);
-  /// True at most once for each robot in kRejectPeriod.
-  [[nodiscard]] bool may_reject(RobotId robot, Time now);
+  /// True at most once for each robot in a period.
+  [[nodiscard]] bool may_reject(RobotId robot, Time now, Time period);
 
  private:
   Contact& at(RobotId robot);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot_agent/core/radio/pairing/pairing.hpp"
 
-#include "robot_agent/core/radio/pairing/timers.hpp"
 #include "runtime/pure/overload.hpp"
 
 namespace caravan::agent {
 namespace {
 
-/// Distinct for successive attempts of a pair, since kRest lies between them; never 0.
+// A session's number is its time in these. Part of the protocol, not a setting: shorter than any rest.
+constexpr Time kSessionSlot = std::chrono::milliseconds{100};
+
+/// Distinct for successive attempts of a pair, since a rest lies between them; never 0.
 std::uint16_t session_number(Time now) {
   return static_cast<std::uint16_t>(1 + static_cast<std::uint64_t>(now / kSessionSlot) % 65535U);
 }
@@ -20,8 +22,6 @@ bool belongs(const Session& state, RobotId from, std::uint16_t session) {
 bool refuses(const Reject& reject, std::uint16_t session) {
   return reject.session == 0 || reject.session == session;
 }
-Time hold_after(Refusal refusal) { return refusal == Refusal::kBusy ? Time{0} : kHold; }
-
 Decision become(const State& next) { return {next, Send::kNothing, {}, {}}; }
 Decision stay(const State& state) { return become(state); }
 Decision stay_and_send(const State& state, Send send) { return {state, send, {}, {}}; }
@@ -43,8 +43,11 @@ struct Pairing::Rules {
   [[nodiscard]] bool is_silent(Time last_heard) const { return now - last_heard >= pairing.silence_; }
   [[nodiscard]] bool waits_for_me(const Wait& wait) const { return wait.partner == pairing.id_; }
 
-  [[nodiscard]] static Decision give_up(const Exchange& exchange, Time hold) {
-    return {Free{exchange.ended + kRest}, Send::kNothing, {}, Outcome{exchange, hold}};
+  [[nodiscard]] Time hold_after(Refusal refusal) const {
+    return refusal == Refusal::kBusy ? Time{0} : pairing.hold_;
+  }
+  [[nodiscard]] Decision give_up(const Exchange& exchange, Time hold) const {
+    return {Free{exchange.ended + pairing.rest_}, Send::kNothing, {}, Outcome{exchange, hold}};
   }
   [[nodiscard]] Decision failed(const Accepting& s, Time hold) const {
     return give_up({s.partner, s.session, true, false, s.began, now}, hold);
@@ -110,7 +113,7 @@ struct Pairing::Rules {
     return failed(s, hold_after(e.reject.refusal));
   }
   [[nodiscard]] Decision accepting_ticks(Accepting s) const {
-    if (negotiated_enough(s.began, s.last_heard)) return failed(s, kHold);
+    if (negotiated_enough(s.began, s.last_heard)) return failed(s, pairing.hold_);
     if (now < s.next_accept || s.accepts_left == 0) return stay(s);
     s.next_accept += pairing.accept_period_;
     --s.accepts_left;
@@ -123,7 +126,7 @@ struct Pairing::Rules {
     return e.reject.from == s.partner ? failed(s, hold_after(e.reject.refusal)) : stay(s);
   }
   [[nodiscard]] Decision awaiting_ticks(const Awaiting& s) const {
-    return negotiated_enough(s.began, s.last_heard) ? failed(s, kHold) : stay(s);
+    return negotiated_enough(s.began, s.last_heard) ? failed(s, pairing.hold_) : stay(s);
   }
 
   [[nodiscard]] Decision in_session_hears(const InSession& s, const RejectHeard& e) const {
@@ -140,7 +143,7 @@ struct Pairing::Rules {
     return stay(s);
   }
   [[nodiscard]] Decision in_session_ticks(const InSession& s) const {
-    if (now - s.opened >= pairing.session_timer_ || is_silent(s.last_heard)) return failed(s, kHold);
+    if (now - s.opened >= pairing.session_timer_ || is_silent(s.last_heard)) return failed(s, pairing.hold_);
     return stay_and_send(s, s.confirmed ? Send::kFragment : Send::kAcceptAck);
   }
 
@@ -157,7 +160,10 @@ Pairing::Pairing(RobotId id, const SharingSettings& sharing, Time wait_period)
       accept_period_{sharing.accept_period},
       accept_attempts_{sharing.accept_attempts},
       session_timer_{sharing.session_timer},
-      silence_{kSilence + 2 * wait_period} {}
+      silence_{sharing.silence + 2 * wait_period},
+      linger_{sharing.linger},
+      rest_{sharing.rest},
+      hold_{sharing.hold} {}
 
 Decision Pairing::advance(const State& state, const PairingEvent& event, Time now) const {
   const Rules rules{*this, now};
@@ -191,7 +197,7 @@ Decision Pairing::advance(const State& state, const PairingEvent& event, Time no
           [&](const InSession& s, const AcceptHeard&) { return stay(s); },
           [&](const InSession& s, const AcceptAckHeard&) { return stay(s); },
           [&](const InSession& s, const RejectHeard& e) { return rules.in_session_hears(s, e); },
-          [&](const InSession& s, const FragmentHeard& e) { return rules.in_session_hears(s, e, kLinger); },
+          [&](const InSession& s, const FragmentHeard& e) { return rules.in_session_hears(s, e, linger_); },
           [&](const InSession& s, const EndHeard& e) { return rules.in_session_hears(s, e, Time{0}); },
           [&](const InSession& s, const Tick&) { return rules.in_session_ticks(s); },
 

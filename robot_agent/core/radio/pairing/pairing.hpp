@@ -128,8 +128,7 @@ struct Decision {
 ///   Awaiting), session_timer (InSession), silence of the partner (all three), leaves (Lingering).
 ///
 /// "-" is ignored on purpose. The higher id is primary (Accepting), the lower one secondary (Awaiting). A
-/// WAIT waits for me when its sender negotiates or is in session with me. After a failure Free rests for
-/// kRest.
+/// WAIT waits for me when its sender negotiates or is in session with me. After a failure Free rests.
 class Pairing {
  public:
   /// @param wait_period  longest time between two WAITs of a partner
@@ -145,6 +144,9 @@ class Pairing {
   std::uint32_t accept_attempts_;
   Time session_timer_;
   Time silence_;
+  Time linger_;
+  Time rest_;
+  Time hold_;
 };
 
 /// What a robot in this state says of itself in its WAIT.
