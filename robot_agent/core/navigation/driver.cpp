@@ -10,7 +10,8 @@
 namespace caravan::agent {
 namespace {
 
-constexpr Time kLongestStep = std::chrono::seconds{1};  // of the motor model: after it, any twist is reached
+// Of the model of the motors: by then any twist is reached.
+constexpr Time kLongestStep = std::chrono::seconds{1};
 
 Perception without_surfaces(Perception seen) {
   seen.surfaces.clear();
@@ -79,9 +80,9 @@ void Driver::tell(const Wheels& wheels, Time now) {
 }
 
 bool Driver::is_held(const Wheels& wanted, const Wheels& allowed, Time now) {
-  const double lack =
+  const double difference =
       std::abs(wanted.left_mps - allowed.left_mps) + std::abs(wanted.right_mps - allowed.right_mps);
-  if (lack < settings_.recovery.held_mps) {
+  if (difference < settings_.recovery.held_mps) {
     held_since_.reset();
     return false;
   }
@@ -149,8 +150,8 @@ Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& 
   if (facing && free_ahead_m(seen.still, body) < needed) {
     return {{}, Activity::kAvoiding, Obstruction::kObstacle};
   }
-  const double leaning = facing ? bearing + turn_from_surfaces_rad(seen, driving, body) : bearing;
-  return {steer_to(leaning, speed_for(ahead, driving), driving, body), Activity::kDriving,
+  const double steered = facing ? bearing + turn_from_surfaces_rad(seen, driving, body) : bearing;
+  return {steer_to(steered, speed_for(ahead, driving), driving, body), Activity::kDriving,
           Obstruction::kNone};
 }
 

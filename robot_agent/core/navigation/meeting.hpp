@@ -17,8 +17,8 @@ struct Meeting {
   double passes_m = 0.0;
 };
 
-/// Where this robot wants to drive, frame B, and how fast.
-struct Course {
+/// The velocity that this robot wants, frame B.
+struct Velocity {
   double bearing_rad = 0.0;
   double speed_mps = 0.0;
 };
@@ -28,7 +28,7 @@ struct Course {
 /// let go.
 ///
 /// @param keep_clear_m  between the bodies
-[[nodiscard]] std::optional<Meeting> find_meeting(const Course& course, const Perception& seen,
+[[nodiscard]] std::optional<Meeting> find_meeting(const Velocity& wanted, const Perception& seen,
                                                   const MeetingRule& rule, const Body& body,
                                                   double keep_clear_m);
 

@@ -8,7 +8,7 @@
 namespace caravan::agent {
 namespace {
 
-// Of an echo's place: what reaches less beyond the body's end is beside it.
+// A tolerance of geometry, not a clearance: what reaches less beyond the body's end is beside it.
 constexpr double kTolerance_m = 0.01;
 
 double turn_rate(double bearing_rad, const Driving& driving) {
@@ -65,14 +65,14 @@ double free_behind_m(const Surroundings& around, const Body& body) {
 
 double turn_from_surfaces_rad(const Perception& seen, const Driving& driving, const Body& body) {
   const double wanted = 0.5 * body.width_m + driving.wall_room_m;
-  const auto lack = [&](double bearing_rad) {
+  const auto missing = [&](double bearing_rad) {
     const double clearance = seen.around.clearance_m({.bearing_rad = bearing_rad,
                                                       .half_width_m = driving.wall_window_m,
                                                       .surface_m = 0.0,
                                                       .surface_per_metre = 0.0});
     return std::max(0.0, 1.0 - clearance / wanted);
   };
-  return driving.wall_turn_rad * (lack(-0.5 * std::numbers::pi) - lack(0.5 * std::numbers::pi));
+  return driving.wall_turn_rad * (missing(-0.5 * std::numbers::pi) - missing(0.5 * std::numbers::pi));
 }
 
 double speed_for(double free_ahead_m, const Driving& driving) {

@@ -14,7 +14,8 @@ namespace caravan::agent {
 
 /// True when the sonars say that the robot can drive straight to a point: the bearing lies in the front fan
 /// and no echo lies inside a corridor of Passage::corridor_m up to the point. Sonars see 5 m; beyond
-/// that, and where a surface reflects nothing, it is trust: what rests on it is provisional.
+/// that, and where a surface reflects nothing, free space is an assumption: what depends on it is
+/// provisional.
 [[nodiscard]] bool is_reachable(const Perception& seen, const Point& candidate, const Passage& passage,
                                 const Body& body);
 

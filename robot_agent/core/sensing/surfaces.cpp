@@ -30,7 +30,7 @@ Surfaces::Surfaces(const SurfaceMemory& memory, const PatienceSettings& patience
 
 void Surfaces::see(const Perception& seen) {
   forget(seen);
-  goes_on_.clear();
+  extended_.clear();
   // A robot that does not tell where it is looks like any other thing.
   if (seen.robot_near && seen.robots.empty()) return;
   const Point ahead = direction(seen.yaw_WB_rad);
@@ -75,7 +75,7 @@ void Surfaces::follow(std::size_t sonar, const Point& across_W, const Point& at,
   }
   if (length < memory_.wall_shortest_m || std::abs(along.dot(across_W)) < memory_.wall_cosine * length)
     return;
-  for (const double on : memory_.wall_extension_m) goes_on_.emplace_back(at + (on / length) * along);
+  for (const double on : memory_.wall_extension_m) extended_.emplace_back(at + (on / length) * along);
   if (length > 2.0 * memory_.wall_shortest_m) before = {at - (memory_.wall_shortest_m / length) * along, now};
 }
 
@@ -95,7 +95,7 @@ std::vector<Point> Surfaces::near(const Point& p_WB, Time now) const {
     if (within(place.at, p_WB, memory_.reach_m)) result.push_back(place.at);
   }
   map_.add_near(p_WB, {now - memory_.duration, now - memory_.recent}, result);
-  for (const Point& at : goes_on_) {
+  for (const Point& at : extended_) {
     if (within(at, p_WB, memory_.reach_m)) result.push_back(at);
   }
   return result;

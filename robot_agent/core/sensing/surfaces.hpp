@@ -48,7 +48,7 @@ class Surfaces {
   bool has_map_;
   SurfaceMap map_;
   std::vector<Place> places_;
-  std::vector<Point> goes_on_;                 // where walls that sonars follow now should go on
+  std::vector<Point> extended_;                // where walls that sonars follow now should go on
   std::array<Place, kSonarCount> followed_{};  // an echo of each sonar some centimetres ago
 };
 
