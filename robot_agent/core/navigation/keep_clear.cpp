@@ -12,10 +12,10 @@
 namespace caravan::agent {
 namespace {
 
-// Poses of a predicted trajectory. How far it reaches is a matter of the time between them.
+// Poses of a predicted trajectory, an array; its length in time is KeepClear::prediction_step_s times this.
 constexpr std::size_t kMoments = 7;
-constexpr double kNothing_m = 1e-3;  // of violation: less is a rounding of the prediction
-// Candidates beside the wanted speed and standing: shares of speeds that are settings.
+constexpr double kNothing_m = 1e-3;  // of violation: less is rounding
+// Candidates: shares of the wanted speed and of slow_mps, which are parameters themselves.
 constexpr double kOfWanted = 0.6;
 constexpr double kOfSlow = 0.5;
 

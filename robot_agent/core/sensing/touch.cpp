@@ -8,7 +8,8 @@
 namespace caravan::agent {
 namespace {
 
-// Steps over which a speed is taken: with the eight samples, the shape of a filter and no size.
+// Steps over which a speed is computed. Together with the eight samples it is the form of a filter, not a
+// size.
 constexpr std::size_t kNow = 2;
 
 }  // namespace

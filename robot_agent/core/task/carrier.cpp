@@ -12,8 +12,8 @@
 namespace caravan::agent {
 namespace {
 
-constexpr Time kLongestStep =
-    std::chrono::milliseconds{200};  // what takes longer was an exchange, not driving
+// A longer step was an exchange, not driving.
+constexpr Time kLongestStep = std::chrono::milliseconds{200};
 
 /// From the middle of what it touched: a little more than shortcuts keep, so that it does not stop beside it.
 double keeps_from_touched_m(const Passage& passage, const ObstacleMemory& obstacles, double room_m) {

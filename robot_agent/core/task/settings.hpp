@@ -6,7 +6,7 @@
 
 #include "robot_agent/core/types.hpp"
 
-/// What a scenario can say of the task. Keys and ranges: docs/scenario.md.
+/// Parameters of the task. Keys and ranges: docs/scenario.md.
 namespace caravan::agent {
 
 /// What is to be carried where. `destination` is read by sees_destination() only: sight of it is simulated by
@@ -16,20 +16,20 @@ struct Task {
   Point destination{0.0, 0.0};
   double service_radius_m = 1.5;  ///< within it items change hands
   double arrival_radius_m = 1.0;  ///< within it the robot turns back
-  double crowded_m = 2.5;         ///< with another robot this near ahead, it does within service_radius_m
-  Time gripper_patience = std::chrono::milliseconds{300};  ///< to hold, or not to, once it was told
+  double crowded_m = 2.5;         ///< with another robot this near ahead, service_radius_m suffices
+  Time gripper_patience = std::chrono::milliseconds{300};  ///< for the gripper to follow a command
 
   bool operator==(const Task&) const = default;
 };
 
-/// A robot with a path that makes no progress along it explores for a while.
+/// A robot that makes no progress along its path explores for a while.
 struct Progress {
-  double least_m = 0.5;                            ///< the way to the end becomes this much shorter
-  Time timeout = std::chrono::seconds{8};          ///< in this time
-  double wander_m = 2.5;                           ///< exploring ends this far from where it began,
-  std::uint32_t wander_doublings = 3;              ///< twice as far each time, up to so many times,
-  Time wander_again = std::chrono::seconds{60};    ///< when it began again within this time,
-  Time wander_timeout = std::chrono::seconds{20};  ///< and at the latest after this
+  double least_m = 0.5;                            ///< the remaining path becomes shorter by this
+  Time timeout = std::chrono::seconds{8};          ///< within this time
+  double wander_m = 2.5;                           ///< distance from its beginning at which exploration ends
+  std::uint32_t wander_doublings = 3;              ///< how often it is doubled at most
+  Time wander_again = std::chrono::seconds{60};    ///< within which another exploration doubles it
+  Time wander_timeout = std::chrono::seconds{20};  ///< longest exploration
 
   bool operator==(const Progress&) const = default;
 };
