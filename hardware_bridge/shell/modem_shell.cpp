@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/pure/random.hpp"
 
@@ -36,18 +37,14 @@ ModemShell::ModemShell(const modem::RadioLimits& limits, std::uint32_t robot, co
       number_{robot},
       own_{own_number(robot)},
       radio_{limits},
-      bus_{bus, [this, robot](const Discovery& news) {
-             const bool has_left = news.kind == Discovery::Kind::kGone ||
-                                   (news.kind == Discovery::Kind::kWriterGone &&
-                                    news.topic == idl::name_for(idl::kRadioTransmit, robot));
-             if (has_left) mailbox_.post({{news.participant, runtime::Claim::kNone}, std::nullopt});
-           }} {
+      bus_{bus, [this](const Discovery& news) { mailbox_.post(news); }},
+      sole_{bus_, bus.lease_s, idl::kRadioReceive, robot} {
   if (address.serial) claim_.emplace(canonical(*address.serial), "--modem");
   if (!address.serial) air_.emplace(address.udp_port);
   receives_ = bus_.writer<msg::RadioReceivePubSubType>(idl::kRadioReceive, robot);
   bus_.reader<msg::RadioTransmitPubSubType>(idl::kRadioTransmit, robot,
                                             [this](const msg::RadioTransmit& sample, const Sender& sender) {
-                                              mailbox_.post({sender, sample});
+                                              mailbox_.post(Transmission{sender, sample});
                                             });
   spdlog::info("robot={} modem ready: mtu={} channels={}", robot, limits.mtu_bytes, limits.channel_count);
 }
@@ -56,19 +53,29 @@ ModemShell::~ModemShell() { bus_.close(); }
 
 void ModemShell::read_mailbox() {
   for (const Mail& mail : mailbox_.take()) {
-    if (!mail.sample) {
-      if (!agent_.release(mail.from)) continue;
-      session_ = 0;  // that of another agent's world may have any number
-      for (const Tenure::Later& take_kept : agent_.hand_over()) take_kept();
-      if (const auto holder = agent_.holder()) bus_.forgive(*holder);
-      continue;
-    }
-    if (agent_.claim(mail.from) == Tenure::Standing::kRefused) {
-      bus_.refuse(mail.from, idl::kRadioTransmit, number_);
-      agent_.keep(mail.from, [this, sample = *mail.sample] { take(sample); });
-    } else if (mail.sample->session() >= session_) {
-      take(*mail.sample);
-    }
+    std::visit([this](const auto& one) { read(one); }, mail);
+  }
+}
+
+void ModemShell::read(const Discovery& news) {
+  sole_.see(news, false);  // the agent speaks to every modem
+  const bool has_left =
+      news.kind == Discovery::Kind::kGone || (news.kind == Discovery::Kind::kWriterGone &&
+                                              news.topic == idl::name_for(idl::kRadioTransmit, number_));
+  if (!has_left || !agent_.release(news.participant)) return;
+  session_ = 0;  // that of another agent's world may have any number
+  for (const Tenure::Later& take_kept : agent_.hand_over()) take_kept();
+  if (const auto holder = agent_.holder()) bus_.forgive(*holder);
+}
+
+void ModemShell::read(const Transmission& transmission) {
+  if (sole_.must_be_silent()) return;
+  const msg::RadioTransmit& sample = transmission.sample;
+  if (agent_.claim(transmission.from) == Tenure::Standing::kRefused) {
+    bus_.refuse(transmission.from, idl::kRadioTransmit, number_);
+    agent_.keep(transmission.from, [this, sample] { take(sample); });
+  } else if (sample.session() >= session_) {
+    take(sample);
   }
 }
 
@@ -107,12 +114,9 @@ int ModemShell::run() {
     keep_line_open();
     transmit();
     std::array<Polled, 2> watched{air_ ? air_->watched() : Polled{}, line_.watched()};
-    std::optional<runtime::WallTime> deadline;
-    if (const auto due = radio_.next_deadline()) deadline = began_ + *due;
-    if (!deadline && address_.serial && !line_.is_open()) deadline = began_ + retry_.due();
-    if (!deadline) deadline = line_.next_deadline();
-    if (loop_.wait(deadline, watched) == runtime::Loop::Woken::kStop) return runtime::kDone;
+    if (loop_.wait(next_deadline(), watched) == runtime::Loop::Woken::kStop) return runtime::kDone;
     read_mailbox();
+    if (const std::string lost = sole_.lost(); !lost.empty()) throw runtime::StartError{lost};
     while (air_ && watched[0].ready) {
       const auto datagram = air_->receive();
       if (!datagram) break;
@@ -120,6 +124,17 @@ int ModemShell::run() {
     }
     if (address_.serial) attend_serial(watched[1].ready);
   }
+}
+
+std::optional<runtime::WallTime> ModemShell::next_deadline() const {
+  std::optional<runtime::WallTime> next = sole_.next_deadline();
+  const auto consider = [&next](std::optional<runtime::WallTime> due) {
+    if (due && (!next || *due < *next)) next = due;
+  };
+  if (const auto due = radio_.next_deadline()) consider(began_ + *due);
+  if (address_.serial && !line_.is_open()) consider(began_ + retry_.due());
+  consider(line_.next_deadline());
+  return next;
 }
 
 void ModemShell::transmit() {
@@ -144,7 +159,9 @@ void ModemShell::attend_serial(bool ready) {
 
 void ModemShell::hear(const Bytes& bytes) {
   auto packet = modem::decode(bytes);
-  if (!packet || packet->from == own_ || session_ == 0 || !radio_.hears(packet->channel, now())) return;
+  if (!packet || packet->from == own_ || session_ == 0 || sole_.must_be_silent() ||
+      !radio_.hears(packet->channel, now()))
+    return;
   msg::RadioReceive sample;
   sample.stamp(stamp_);
   sample.session(session_);

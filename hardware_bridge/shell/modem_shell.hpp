@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "hardware_bridge/core/host/notice_limit.hpp"
@@ -10,6 +11,7 @@
 #include "hardware_bridge/core/modem/half_duplex.hpp"
 #include "hardware_bridge/shell/claim.hpp"
 #include "hardware_bridge/shell/line.hpp"
+#include "hardware_bridge/shell/sole_server.hpp"
 #include "hardware_bridge/shell/udp_air.hpp"
 #include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
@@ -39,15 +41,20 @@ class ModemShell {
   ModemShell& operator=(const ModemShell&) = delete;
 
   /// Until the loop is told to stop. @return the exit code
+  /// @throws StartError when another modem serves the robot
   int run();
 
  private:
-  struct Mail {
+  struct Transmission {
     runtime::Sender from;
-    std::optional<caravan_interfaces::msg::RadioTransmit> sample;  ///< none: it is gone
+    caravan_interfaces::msg::RadioTransmit sample;
   };
+  using Mail = std::variant<runtime::Discovery, Transmission>;
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
+  [[nodiscard]] std::optional<runtime::WallTime> next_deadline() const;
   void read_mailbox();
+  void read(const runtime::Discovery& news);
+  void read(const Transmission& transmission);
   void take(const caravan_interfaces::msg::RadioTransmit& sample);
   void keep_line_open();
   void transmit();
@@ -77,6 +84,7 @@ class ModemShell {
 
   runtime::Bus bus_;  // after the state, so that no callback outlives it
   runtime::Writer<caravan_interfaces::msg::RadioReceivePubSubType> receives_;
+  SoleServer sole_;
 };
 
 }  // namespace caravan::bridge

@@ -46,17 +46,13 @@ PioneerShell::PioneerShell(const BridgeConfig& config, std::uint32_t robot, cons
       number_{robot},
       bridge_{config},
       robot_{devices.robot, "", "--port"},
-      bus_{bus, [this, robot](const Discovery& news) {
-             const bool has_left =
-                 news.kind == Discovery::Kind::kGone || (news.kind == Discovery::Kind::kWriterGone &&
-                                                         news.topic == idl::name_for(idl::kCommand, robot));
-             if (has_left) mailbox_.post({{news.participant, runtime::Claim::kNone}, std::nullopt});
-           }} {
+      bus_{bus, [this](const Discovery& news) { mailbox_.post(news); }},
+      sole_{bus_, bus.lease_s, idl::kSensors, robot} {
   if (devices.gps) gps_.emplace(*devices.gps, "GPS ", "--gps");
   sensors_ = bus_.writer<msg::SensorFramePubSubType>(idl::kSensors, robot);
   bus_.reader<msg::RobotCommandPubSubType>(idl::kCommand, robot,
                                            [this](const msg::RobotCommand& command, const Sender& sender) {
-                                             mailbox_.post({sender, command});
+                                             mailbox_.post(Command{sender, command});
                                            });
 }
 
@@ -64,21 +60,27 @@ PioneerShell::~PioneerShell() { bus_.close(); }
 
 void PioneerShell::read_mailbox() {
   for (const Mail& mail : mailbox_.take()) {
-    if (!mail.command) {
-      if (!agent_.release(mail.from)) continue;
-      warn("the agent is gone: wheels stopped");
-      bridge_.forget_wish(now());
-      for (const Tenure::Later& take : agent_.hand_over()) take();
-      if (const auto holder = agent_.holder()) bus_.forgive(*holder);
-    } else if (mail.command->session() == session_) {
-      if (agent_.claim(mail.from) != Tenure::Standing::kRefused) {
-        obey(*mail.command);
-        continue;
-      }
-      bus_.refuse(mail.from, idl::kCommand, number_);
-      agent_.keep(mail.from, [this, command = *mail.command] { obey(command); });
-    }
+    std::visit([this](const auto& one) { read(one); }, mail);
   }
+}
+
+void PioneerShell::read(const Discovery& news) {
+  sole_.see(news, agent_.holder().has_value());
+  const bool has_left =
+      news.kind == Discovery::Kind::kGone ||
+      (news.kind == Discovery::Kind::kWriterGone && news.topic == idl::name_for(idl::kCommand, number_));
+  if (!has_left || !agent_.release(news.participant)) return;
+  warn("the agent is gone: wheels stopped");
+  bridge_.forget_wish(now());
+  for (const Tenure::Later& take : agent_.hand_over()) take();
+  if (const auto holder = agent_.holder()) bus_.forgive(*holder);
+}
+
+void PioneerShell::read(const Command& command) {
+  if (command.sample.session() != session_) return;
+  if (agent_.claim(command.from) != Tenure::Standing::kRefused) return obey(command.sample);
+  bus_.refuse(command.from, idl::kCommand, number_);
+  agent_.keep(command.from, [this, sample = command.sample] { obey(sample); });
 }
 
 void PioneerShell::obey(const msg::RobotCommand& command) {
@@ -94,6 +96,7 @@ int PioneerShell::run() {
     std::array<Polled, 2> watched{robot_.line.watched(), gps_ ? gps_->line.watched() : Polled{}};
     const auto woken = loop_.wait(next_deadline(), watched);
     read_mailbox();
+    if (const std::string lost = sole_.lost(); !lost.empty()) refuse(lost);
     attend_robot(watched[0].ready);
     attend_gps(watched[1].ready);
     carry_out();
@@ -106,6 +109,7 @@ int PioneerShell::run() {
 
 runtime::WallTime PioneerShell::next_deadline() const {
   Wall next = began_ + bridge_.next_deadline(now());
+  if (const auto due = sole_.next_deadline()) next = std::min(next, *due);
   for (const Port* port : {&robot_, gps_ ? &*gps_ : nullptr}) {
     if (port == nullptr) continue;
     if (!port->line.is_open()) next = std::min(next, began_ + port->retry.due());
@@ -173,10 +177,7 @@ void PioneerShell::carry_out() {
   Bridge::Effects effects = bridge_.take_effects();
   robot_.line.write(effects.to_robot);
   for (Notice& notice : effects.notices) tell(std::move(notice));
-  if (!effects.unfit.empty()) {
-    end();
-    throw runtime::StartError{robot_.name + ": " + effects.unfit};
-  }
+  if (!effects.unfit.empty()) refuse(robot_.name + ": " + effects.unfit);
   for (const Notice& notice : limit_.take_due(now())) log(notice);
   if (!effects.frames.empty()) search_.found();
   for (const Frame& frame : effects.frames) publish(frame);
@@ -189,6 +190,7 @@ void PioneerShell::carry_out() {
 }
 
 void PioneerShell::publish(const Frame& frame) {
+  if (sole_.must_be_silent()) return;
   frame_.stamp(idl::to_wire(frame.stamp));
   frame_.session(session_);
   frame_.sonar_range_m(frame.sonar_range_m);
@@ -202,6 +204,11 @@ void PioneerShell::publish(const Frame& frame) {
   frame_.radio_due(false);
   if (!sensors_.write(frame_) && refused_writes_++ == 0)
     spdlog::error("DDS refused a sample: the agent misses a frame");
+}
+
+void PioneerShell::refuse(const std::string& why) {
+  end();
+  throw runtime::StartError{why};
 }
 
 void PioneerShell::end() {

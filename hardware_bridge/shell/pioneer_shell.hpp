@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "hardware_bridge/core/host/baud_search.hpp"
@@ -12,6 +13,7 @@
 #include "hardware_bridge/core/host/retry.hpp"
 #include "hardware_bridge/shell/claim.hpp"
 #include "hardware_bridge/shell/line.hpp"
+#include "hardware_bridge/shell/sole_server.hpp"
 #include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/bus/tenure.hpp"
@@ -43,14 +45,16 @@ class PioneerShell {
   PioneerShell& operator=(const PioneerShell&) = delete;
 
   /// Until the loop is told to stop; then stops the wheels and closes the connection. @return the exit code
+  /// @throws StartError when another bridge serves the robot
   int run();
 
  private:
   using Wall = runtime::WallTime;
-  struct Mail {
+  struct Command {
     runtime::Sender from;
-    std::optional<caravan_interfaces::msg::RobotCommand> command;  ///< none: it is gone
+    caravan_interfaces::msg::RobotCommand sample;
   };
+  using Mail = std::variant<runtime::Discovery, Command>;
 
   /// A device, its line, and when it is opened again.
   struct Port {
@@ -72,6 +76,8 @@ class PioneerShell {
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
   [[nodiscard]] Wall next_deadline() const;
   void read_mailbox();
+  void read(const runtime::Discovery& news);
+  void read(const Command& command);
   void obey(const caravan_interfaces::msg::RobotCommand& command);
   void keep_lines_open();
   void open(Port& port, unsigned baud);
@@ -82,6 +88,8 @@ class PioneerShell {
   void carry_out();
   void publish(const Frame& frame);
   void end();
+  /// @throws StartError  why this bridge cannot go on, with the wheels at rest
+  [[noreturn]] void refuse(const std::string& why);
   void tell(Notice notice);
   void warn(std::string text) { tell({Notice::Weight::kWarning, std::move(text)}); }
 
@@ -106,6 +114,7 @@ class PioneerShell {
   caravan_interfaces::msg::SensorFrame frame_;
   runtime::Bus bus_;  // after the state, so that no callback outlives it
   runtime::Writer<caravan_interfaces::msg::SensorFramePubSubType> sensors_;
+  SoleServer sole_;
 };
 
 }  // namespace caravan::bridge

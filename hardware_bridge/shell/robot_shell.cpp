@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
 
 namespace caravan::bridge {
@@ -24,10 +25,8 @@ RobotShell::RobotShell(const RobotConfig& config, std::uint32_t robot, const Por
       gps_port_{ports.gps},
       robot_{config},
       gps_{config.arena},
-      bus_{bus, [this](const runtime::Discovery& news) {
-             using Kind = runtime::Discovery::Kind;
-             if (news.kind == Kind::kGone || news.kind == Kind::kWriterGone) mailbox_.post(news);
-           }} {
+      bus_{bus, [this](const runtime::Discovery& news) { mailbox_.post(news); }},
+      sole_{bus_, bus.lease_s, idl::kBodyCommand, robot} {
   commands_ = bus_.writer<msg::RobotCommandPubSubType>(idl::kBodyCommand, robot);
   bus_.reader<msg::SensorFramePubSubType>(
       idl::kBodySensors, robot, [this, robot](const msg::SensorFrame& frame, const runtime::Sender& sender) {
@@ -43,11 +42,15 @@ RobotShell::RobotShell(const RobotConfig& config, std::uint32_t robot, const Por
 RobotShell::~RobotShell() { bus_.close(); }
 
 void RobotShell::read_mailbox() {
-  for (const runtime::Discovery& gone : mailbox_.take()) {
-    if (!world_.release(gone.participant)) continue;
+  using Kind = runtime::Discovery::Kind;
+  for (const runtime::Discovery& news : mailbox_.take()) {
+    sole_.see(news, false);  // the body's frames come to everybody
+    const bool has_left = news.kind == Kind::kGone || news.kind == Kind::kWriterGone;
+    if (!has_left || !world_.release(news.participant)) continue;
     for (const runtime::Tenure::Later& take : world_.hand_over()) take();
     if (const auto holder = world_.holder()) bus_.forgive(*holder);
   }
+  if (const std::string lost = sole_.lost(); !lost.empty()) throw runtime::StartError{lost};
 }
 
 void RobotShell::on_body(const msg::SensorFrame& frame) {
@@ -73,6 +76,7 @@ void RobotShell::on_body(const msg::SensorFrame& frame) {
 }
 
 void RobotShell::answer(const msg::SensorFrame& frame) {
+  if (sole_.must_be_silent()) return;
   const BodyDrive drive = robot_.drive(now());
   msg::RobotCommand command;
   command.stamp(frame.stamp());
@@ -98,6 +102,7 @@ int RobotShell::run() {
 runtime::WallTime RobotShell::next_deadline() const {
   const std::lock_guard lock{mutex_};
   Time due = body_watch_.next_look();
+  if (const auto clash = sole_.next_deadline()) due = std::min(due, Time{*clash - began_});
   if (robot_.is_open()) due = std::min(due, robot_.next_deadline());
   if (gps_client_.is_open()) due = std::min(due, gps_.next_deadline());
   return began_ + due;

@@ -9,6 +9,7 @@
 #include "hardware_bridge/core/robot/microcontroller.hpp"
 #include "hardware_bridge/shell/line.hpp"
 #include "hardware_bridge/shell/listener.hpp"
+#include "hardware_bridge/shell/sole_server.hpp"
 #include "idl/robot_types.hpp"
 #include "runtime/bus/bus.hpp"
 #include "runtime/bus/tenure.hpp"
@@ -35,12 +36,14 @@ class RobotShell {
   RobotShell& operator=(const RobotShell&) = delete;
 
   /// Until the loop is told to stop. @return the exit code
+  /// @throws StartError when another process emulates the robot
   int run();
 
  private:
   using Wall = runtime::WallTime;
 
   // These under the lock.
+  /// @throws StartError, as run() does
   void read_mailbox();
   void on_body(const caravan_interfaces::msg::SensorFrame& frame);
   void answer(const caravan_interfaces::msg::SensorFrame& frame);
@@ -79,6 +82,7 @@ class RobotShell {
 
   runtime::Bus bus_;  // after the state, so that no callback outlives it
   runtime::Writer<caravan_interfaces::msg::RobotCommandPubSubType> commands_;
+  SoleServer sole_;
 };
 
 }  // namespace caravan::bridge

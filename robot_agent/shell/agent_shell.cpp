@@ -30,8 +30,7 @@ AgentShell::AgentShell(const std::vector<Config>& configs, const runtime::BusCon
       bus_{bus, [this](const Discovery& news) {
              if (news.kind != Discovery::Kind::kJoined) mailbox_.post(news);
            }} {
-  clash_.emplace(bus_.id(), bus_.identity(),
-                 std::chrono::nanoseconds{static_cast<std::int64_t>((bus.lease_s + 0.5) * 1e9)}, began_);
+  clash_.emplace(bus_.id(), bus_.identity(), bus.lease_s, began_);
   for (const Config& config : configs) {
     robot_of_topic_[idl::name_for(idl::kCommand, config.id.value)] = config.id.value;
     agents_.emplace_back(config, bus_);
@@ -122,14 +121,13 @@ void AgentShell::hand_over(Tenure& tenure) {
 }
 
 void AgentShell::settle_clash(Wall now) {
-  const auto deadline = clash_->deadline();
-  if (!deadline || now < *deadline) return;
-  const Clash::Holder& holder = clash_->holder();
+  const auto holder = clash_->lost_to(now);
+  if (!holder) return;
   for (Hosted& one : agents_) {
-    if (one.agent.robot() != holder.robot) one.agent.halt();
+    if (one.agent.robot() != holder->robot) one.agent.halt();
   }
-  throw runtime::StartError{"robot " + std::to_string(holder.robot) + " is already run by pid " +
-                            std::to_string(holder.identity.pid) + " on host " + holder.identity.host +
+  throw runtime::StartError{"robot " + std::to_string(holder->robot) + " is already run by pid " +
+                            std::to_string(holder->identity.pid) + " on host " + holder->identity.host +
                             ": stop that one or choose another number"};
 }
 

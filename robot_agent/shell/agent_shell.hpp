@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "robot_agent/shell/clash.hpp"
 #include "robot_agent/shell/hosted_agent.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/bus/clash.hpp"
 #include "runtime/bus/tenure.hpp"
 #include "runtime/process/loop.hpp"
 #include "runtime/process/mailbox.hpp"
@@ -70,7 +70,7 @@ class AgentShell {
   std::mutex mutex_;
   std::deque<Hosted> agents_;                            // callbacks refer to them
   std::map<std::string, std::uint32_t> robot_of_topic_;  // commands of these robots are ours to write
-  std::optional<Clash> clash_;
+  std::optional<runtime::Clash> clash_;
   std::optional<Wall> said_waiting_;
   bool told_refused_writes_ = false;
 

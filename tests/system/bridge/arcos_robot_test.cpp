@@ -225,6 +225,17 @@ TEST_F(ArcosRobot, TakesOneHostAtATime) {
   EXPECT_TRUE(first.sip([](const Sip&) { return true; }));
 }
 
+TEST_F(ArcosRobot, OfTwoWithOneNumberTheSecondEndsAndNamesTheFirst) {
+  const Robot second = start_robot(1);
+  EXPECT_EQ(second.process->wait(kPatience), 2) << second.process->output();
+  EXPECT_THAT(second.process->output(), HasSubstr("robot 1 is already served by arcos_robot 1, pid " +
+                                                  std::to_string(robot_.process->pid())));
+  Host host{robot_.port};
+  host.open();
+  EXPECT_TRUE(host.sip([](const Sip& sip) { return sip.left_mmps < -50; }, wheels(-0.1, 0.1)));
+  EXPECT_THAT(world_->output(), Not(HasSubstr("sample refused")));
+}
+
 /// What the GPS receiver on a port tells first, in the arena of room().
 std::optional<bridge::Point> told_by_gps(std::uint16_t port) {
   const auto receiver = Socket::to(port);

@@ -19,6 +19,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string tcp(std::uint16_t port) { return "tcp:127.0.0.1:" + std::to_string(port); }
 
@@ -113,8 +114,17 @@ TEST_F(BridgeLine, IsNotSharedWithAnotherBridgeOfThisMachine) {
   drive();
   EXPECT_THAT(refused(tcp(cable_->port()), "none"), HasSubstr("is in use by another bridge (pid "));
   EXPECT_THAT(refused("tcp:127.0.0.1:1", tcp(gps_cable_->port())), HasSubstr("--gps: tcp:127.0.0.1:"));
-  EXPECT_THAT(bridge_->output(), ::testing::Not(HasSubstr("trying again"))) << "the first one goes on";
+  EXPECT_THAT(bridge_->output(), Not(HasSubstr("trying again"))) << "the first one goes on";
   EXPECT_TRUE(truth_.drives(1)) << bridge_->output();
+}
+
+TEST_F(BridgeLine, OfTwoBridgesForOneRobotTheSecondEndsAndNamesTheFirst) {
+  drive();
+  EXPECT_THAT(
+      refused("tcp:127.0.0.1:1", "none"),
+      HasSubstr("robot 1 is already served by pioneer_bridge 1, pid " + std::to_string(bridge_->pid())));
+  EXPECT_TRUE(truth_.drives(1)) << bridge_->output();
+  EXPECT_THAT(bridge_->output(), Not(HasSubstr("sample refused")));
 }
 
 TEST_F(BridgeLine, ATerminalIsNotSharedWithAnotherBridgeEither) {

@@ -102,6 +102,15 @@ TEST_F(RadioModemProcess, CarriesFramesByUdp) {
   expect_frames_of_the_tuned_channel_up_to_the_mtu();
 }
 
+TEST_F(RadioModemProcess, OfTwoForOneRobotTheSecondEndsAndNamesTheFirst) {
+  const std::string air = "udp:" + std::to_string(free_udp_port());
+  start_modems({air, air});
+  const auto third = start("radio_modem_bridge", {"--robot", "1", "--modem", air});
+  EXPECT_EQ(third->wait(kPatience), 2) << third->output();
+  EXPECT_THAT(third->output(), HasSubstr("robot 1 is already served by radio_modem_bridge 1, pid " +
+                                         std::to_string(modems_[0]->pid())));
+}
+
 // Two serial ports joined to one another: a pair of transparent radio modules.
 TEST_F(RadioModemProcess, CarriesFramesBySerialPortsAlsoAfterTheyWereUnplugged) {
   if (const std::string reason = no_terminals_because(); !reason.empty()) {

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot_agent/shell/clash.hpp"
+#include "runtime/bus/clash.hpp"
 
 #include <gtest/gtest.h>
 
-namespace caravan::agent {
+namespace caravan::runtime {
 namespace {
 
 using namespace std::chrono_literals;
-using runtime::Identity;
-using runtime::ParticipantId;
 
 const Clash::Wall kBegan{100s};
+constexpr double kLease_s = 5.0;
 constexpr auto kPatience = 5500ms;
 constexpr std::uint64_t kStarted_ms = 1'000'000;
 
@@ -19,7 +18,7 @@ ParticipantId participant(std::uint8_t number) {
   id.prefix[0] = number;
   return id;
 }
-Clash clash() { return {participant(5), {"robot_agent 1", "lab", 10, kStarted_ms}, kPatience, kBegan}; }
+Clash clash() { return {participant(5), {"robot_agent 1", "lab", 10, kStarted_ms}, kLease_s, kBegan}; }
 Identity agent(std::uint64_t started_ms) { return {"robot_agent 1", "lab", 11, started_ms}; }
 
 TEST(Clash, GivesWayToOneThatStartedEarlierUntilItVanishes) {
@@ -27,8 +26,11 @@ TEST(Clash, GivesWayToOneThatStartedEarlierUntilItVanishes) {
   EXPECT_TRUE(one.found(1, participant(9), agent(kStarted_ms - 2000), false, kBegan + 1s));
   EXPECT_TRUE(one.must_be_silent());
   EXPECT_EQ(one.deadline(), kBegan + 1s + kPatience);
+  EXPECT_FALSE(one.lost_to(kBegan + 1s));
+  EXPECT_TRUE(one.lost_to(kBegan + 1s + kPatience));
   one.vanished(participant(9));
   EXPECT_FALSE(one.must_be_silent());
+  EXPECT_FALSE(one.lost_to(kBegan + 1s + kPatience));
 }
 
 TEST(Clash, OfTwoThatStartedTogetherTheLowerGuidStays) {
@@ -37,7 +39,7 @@ TEST(Clash, OfTwoThatStartedTogetherTheLowerGuidStays) {
   EXPECT_TRUE(one.found(1, participant(2), agent(kStarted_ms + 500), false, kBegan));
 }
 
-TEST(Clash, OfTwoThatStartedTogetherTheOneThatHasAnsweredItsWorldStays) {
+TEST(Clash, OfTwoThatStartedTogetherTheOneThatIsInUseStays) {
   Clash one = clash();
   EXPECT_FALSE(one.found(1, participant(2), agent(kStarted_ms + 500), true, kBegan));
   EXPECT_TRUE(one.found(1, participant(2), agent(kStarted_ms - 2000), true, kBegan));
@@ -49,7 +51,7 @@ TEST(Clash, StaysBesideOneThatStartedLater) {
   EXPECT_FALSE(one.must_be_silent());
 }
 
-TEST(Clash, StaysBesideAWriterOfAnotherMake) {
+TEST(Clash, StaysBesideAWriterOfAnotherMakeOrRole) {
   Clash one = clash();
   EXPECT_FALSE(one.found(1, participant(2), Identity{}, false, kBegan));
   EXPECT_FALSE(one.found(1, participant(2), {"/talker", "", 0, 0}, false, kBegan));
@@ -64,4 +66,4 @@ TEST(Clash, StaysBesideWhoeverComesLongAfterTheStartWhateverItStates) {
 }
 
 }  // namespace
-}  // namespace caravan::agent
+}  // namespace caravan::runtime
