@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "runtime/config/start_error.hpp"
 
@@ -29,10 +30,13 @@ Listener::Listener(std::uint16_t port)
   port_ = ntohs(address.sin_port);
 }
 
-std::optional<Descriptor> Listener::accept() const {
-  Descriptor accepted{accept4(descriptor_.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
-  if (!accepted.is_open()) return std::nullopt;
-  return accepted;
+std::optional<Listener::Accepted> Listener::accept() const {
+  sockaddr_in peer{};
+  socklen_t size = sizeof peer;
+  Descriptor connection{
+      accept4(descriptor_.number(), reinterpret_cast<sockaddr*>(&peer), &size, SOCK_NONBLOCK | SOCK_CLOEXEC)};
+  if (!connection.is_open()) return std::nullopt;
+  return Accepted{std::move(connection), "127.0.0.1:" + std::to_string(ntohs(peer.sin_port))};
 }
 
 }  // namespace caravan::bridge

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "hardware_bridge/shell/descriptor.hpp"
 #include "runtime/process/loop.hpp"
@@ -18,8 +19,12 @@ class Listener {
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
   [[nodiscard]] runtime::Polled watched() const { return {descriptor_.number(), false, false}; }
+  struct Accepted {
+    Descriptor connection;
+    std::string peer;  ///< "127.0.0.1:40312"
+  };
   /// The next connection that waits.
-  [[nodiscard]] std::optional<Descriptor> accept() const;
+  [[nodiscard]] std::optional<Accepted> accept() const;
 
  private:
   Descriptor descriptor_;

@@ -13,6 +13,7 @@
 namespace caravan::bridge {
 namespace msg = caravan_interfaces::msg;
 using runtime::Polled;
+using namespace std::chrono_literals;
 
 RobotShell::RobotShell(const RobotConfig& config, std::uint32_t robot, const Ports& ports,
                        const runtime::BusConfig& bus, runtime::Loop& loop)
@@ -104,6 +105,7 @@ runtime::WallTime RobotShell::next_deadline() const {
   Time due = body_watch_.next_look();
   if (const auto clash = sole_.next_deadline()) due = std::min(due, Time{*clash - began_});
   if (robot_.is_open()) due = std::min(due, robot_.next_deadline());
+  if (const auto packet = robot_.expects_packet_by()) due = std::min(due, *packet);
   if (gps_client_.is_open()) due = std::min(due, gps_.next_deadline());
   return began_ + due;
 }
@@ -136,16 +138,27 @@ void RobotShell::let_in_a_host() {
   if (!another) return;
   // One host at a time; none while the robot has no body, as if it were switched off.
   if (!host_.is_open() && session_ != 0) {
-    host_.adopt(std::move(*another));
+    host_.adopt(std::move(another->connection));
+    host_peer_ = another->peer;
     has_host_ = true;
     robot_.connected(now());
     told_unknown_.clear();
     told_turned_away_ = false;
-    spdlog::info("a host has connected");
+    spdlog::info("a host has connected: {}", host_peer_);
   } else if (!std::exchange(told_turned_away_, true)) {
     spdlog::info("a host was turned away: {}",
-                 host_.is_open() ? "another one is connected" : "the robot has no body yet");
+                 host_.is_open() ? host_peer_ + " is connected" : "the robot has no body yet");
   }
+}
+
+void RobotShell::let_go_of_a_silent_host() {
+  const auto due = robot_.expects_packet_by();
+  if (!has_host_ || !due || now() < *due) return;
+  spdlog::warn("host {} has sent no packet of ARCOS for {} s: let go, others may connect", host_peer_,
+               Microcontroller::kHostPatience / 1s);
+  host_.close();
+  has_host_ = false;
+  robot_.disconnected();
 }
 
 void RobotShell::attend_robot(bool host_waits, bool ready) {
@@ -161,6 +174,7 @@ void RobotShell::attend_robot(bool host_waits, bool ready) {
     tell_unknown_commands();
   }
   let_go_of_a_host_that_has_gone();
+  let_go_of_a_silent_host();
   // After the end of the one before: a host that connects again at once is let in.
   if (host_waits) let_in_a_host();
   robot_.tick(now());
@@ -176,11 +190,22 @@ void RobotShell::let_go_of_a_host_that_has_gone() {
   spdlog::info("the host has gone: {}", host_.failure());
 }
 
-void RobotShell::attend_gps(bool client_waits, bool ready) {
-  if (client_waits) {
-    if (auto another = gps_port_.accept()) gps_client_.adopt(std::move(*another));
+void RobotShell::let_in_a_gps_client() {
+  auto another = gps_port_.accept();
+  if (!another) return;
+  if (!gps_client_.is_open()) {
+    gps_client_.adopt(std::move(another->connection));
+    gps_peer_ = another->peer;
+    told_gps_turned_away_ = false;
+  } else if (!std::exchange(told_gps_turned_away_, true)) {
+    spdlog::info("a client of the GPS receiver was turned away: {} is connected", gps_peer_);
   }
+}
+
+void RobotShell::attend_gps(bool client_waits, bool ready) {
   if (ready) (void)gps_client_.attend();
+  // After the end of the one before, as hosts.
+  if (client_waits) let_in_a_gps_client();
   const std::lock_guard lock{mutex_};
   const std::string lines = gps_.take_lines(now());
   if (session_ != 0 && gps_client_.is_open()) gps_client_.write({lines.begin(), lines.end()});

@@ -52,7 +52,9 @@ class RobotShell {
   void tell_whether_a_body_is_there();
   void tell_unknown_commands();
   void let_in_a_host();
+  void let_go_of_a_silent_host();
   void let_go_of_a_host_that_has_gone();
+  void let_in_a_gps_client();
   void attend_robot(bool host_waits, bool ready);
   void attend_gps(bool client_waits, bool ready);
 
@@ -66,7 +68,10 @@ class RobotShell {
   Line host_;
   bool has_host_ = false;  // a line that has failed is closed, its host still to be let go
   Line gps_client_;
+  std::string host_peer_;  // where they come from
+  std::string gps_peer_;
   bool told_turned_away_ = false;        // since a host was let in
+  bool told_gps_turned_away_ = false;    // since a client was
   std::set<std::uint8_t> told_unknown_;  // commands of this host
 
   mutable std::mutex mutex_;

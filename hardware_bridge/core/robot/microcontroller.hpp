@@ -67,6 +67,9 @@ struct BodyDrive {
 /// connection ends.
 class Microcontroller {
  public:
+  /// For so long whoever has the line may send nothing that is a packet, while the connection is not open.
+  static constexpr Time kHostPatience = std::chrono::seconds{5};
+
   explicit Microcontroller(const RobotConfig& config);
 
   /// A host's line is there, or gone: the connection is not open, the motors are off.
@@ -90,6 +93,11 @@ class Microcontroller {
   void set_battery(double volts) { config_.battery_v = volts; }
 
   [[nodiscard]] bool is_open() const { return open_; }
+  /// Until when a packet must have come, or the line is held by somebody who is no host; none: there is
+  /// nobody, or the connection is open.
+  [[nodiscard]] std::optional<Time> expects_packet_by() const {
+    return connected_ && !open_ ? std::optional{heard_ + kHostPatience} : std::nullopt;
+  }
   /// Packets that were no command, and commands that it does not know.
   [[nodiscard]] std::uint64_t ignored_commands() const { return ignored_; }
   /// Numbers of the commands that it does not know, each once.

@@ -222,7 +222,26 @@ TEST_F(ArcosRobot, TakesOneHostAtATime) {
   Host second{robot_.port};
   second.say(encode(Order::kPulse));
   EXPECT_EQ(second.next(), std::nullopt);
+  EXPECT_TRUE(robot_.process->prints("a host was turned away: 127.0.0.1:", kPatience));
   EXPECT_TRUE(first.sip([](const Sip&) { return true; }));
+}
+
+TEST_F(ArcosRobot, WhoeverSendsNoPacketLosesTheLineToAHost) {
+  Host silent{robot_.port};
+  EXPECT_TRUE(robot_.process->prints("has sent no packet of ARCOS for 5 s", kPatience));
+  Host host{robot_.port};
+  host.open();
+  EXPECT_TRUE(host.sip([](const Sip&) { return true; })) << robot_.process->output();
+}
+
+TEST_F(ArcosRobot, ItsGpsReceiverServesOneClientAndSaysWhoWasTurnedAway) {
+  const auto first = Socket::to(robot_.gps_port);
+  const auto speaks = [](const Socket& client) { return !client.read(50ms).value_or(Bytes{}).empty(); };
+  ASSERT_TRUE(eventually([&] { return speaks(*first); }, kPatience));
+  const auto second = Socket::to(robot_.gps_port);
+  EXPECT_TRUE(robot_.process->prints("a client of the GPS receiver was turned away: 127.0.0.1:", kPatience));
+  EXPECT_TRUE(eventually([&] { return !second->read(50ms); }, kPatience)) << "the connection ends";
+  EXPECT_TRUE(eventually([&] { return speaks(*first); }, kPatience));
 }
 
 TEST_F(ArcosRobot, OfTwoWithOneNumberTheSecondEndsAndNamesTheFirst) {

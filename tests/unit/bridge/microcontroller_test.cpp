@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "hardware_bridge/core/robot/body_watch.hpp"
 #include "hardware_bridge/core/robot/gps_receiver.hpp"
@@ -40,6 +41,25 @@ TEST_F(Robot, EchoesSyncsAndNamesItself) {
   say(encode(Order::kOpen));
   run(1s);
   EXPECT_THAT(sips_, Not(IsEmpty()));
+}
+
+TEST_F(Robot, ExpectsPacketsOfWhoeverHasTheLineUntilTheConnectionIsOpen) {
+  EXPECT_EQ(robot_.expects_packet_by(), std::nullopt) << "nobody";
+  robot_.connected(now_);
+  const Time patience = Microcontroller::kHostPatience;
+  EXPECT_EQ(robot_.expects_packet_by(), now_ + patience);
+  const Time connected = std::exchange(now_, now_ + 1s);
+  say(Bytes{'G', 'E', 'T', ' ', '/', '\r', '\n'});
+  EXPECT_EQ(robot_.expects_packet_by(), connected + patience) << "no packet";
+  say(encode(Order::kPulse));
+  EXPECT_EQ(robot_.expects_packet_by(), now_ + patience);
+  shake_hands();
+  EXPECT_EQ(robot_.expects_packet_by(), std::nullopt) << "an open connection may be silent";
+  now_ += 1s;
+  say(encode(Order::kClose));
+  EXPECT_EQ(robot_.expects_packet_by(), now_ + patience);
+  robot_.disconnected();
+  EXPECT_EQ(robot_.expects_packet_by(), std::nullopt);
 }
 
 TEST_F(Robot, SendsASipEvery100Milliseconds) {
