@@ -24,10 +24,17 @@ Addresses parse(const std::vector<std::string>& port, const std::vector<std::str
       bridge::parse_port(only_one(port, "--port", "/dev/ttyUSB0 or tcp:127.0.0.1:8101"), "--port");
   const std::string& receiver = only_one(gps, "--gps", "/dev/ttyUSB1, tcp:127.0.0.1:8201 or none");
   if (receiver != "none") addresses.gps = bridge::parse_port(receiver, "--gps");
-  if (addresses.gps == addresses.robot) {
-    throw runtime::StartError{"--gps: " + receiver + " is the robot's --port"};
-  }
   return addresses;
+}
+
+/// However the two are written: by name or in numbers, by a link or by the device itself.
+void refuse_one_for_both(const bridge::Endpoint& robot, const bridge::Endpoint& gps) {
+  if (canonical(robot) != canonical(gps)) return;
+  const std::string port = to_text(robot.address);
+  const std::string receiver = to_text(gps.address);
+  throw runtime::StartError{"--gps: " + receiver + " is the robot's --port" +
+                            (receiver == port ? "" : " (" + port + ")") +
+                            "; give the receiver's own, or none"};
 }
 
 bridge::Devices find(const Addresses& addresses, std::uint32_t baud, std::uint32_t gps_baud) {
@@ -35,6 +42,7 @@ bridge::Devices find(const Addresses& addresses, std::uint32_t baud, std::uint32
   devices.robot = bridge::resolve(addresses.robot, "--port");
   if (baud != 0) devices.baud = baud;
   if (addresses.gps) devices.gps = bridge::resolve(*addresses.gps, "--gps");
+  if (devices.gps) refuse_one_for_both(devices.robot, *devices.gps);
   devices.gps_baud = gps_baud;
   return devices;
 }

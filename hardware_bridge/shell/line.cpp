@@ -6,6 +6,7 @@
 #include <netinet/tcp.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <termios.h>
 
 #include <array>
@@ -54,6 +55,15 @@ Descriptor open_serial(const std::string& path, unsigned baud) {
   return port;
 }
 
+/// Of a port that could not be opened. A file that is not there may come: an adapter that is plugged in.
+std::string why_in_vain(const std::string& path, int error) {
+  if (error == EBUSY) return "in use by another program; end that one first";
+  struct stat found {};
+  const bool is_something_else = stat(path.c_str(), &found) == 0 && !S_ISCHR(found.st_mode);
+  if (error != ENOTTY && !is_something_else) return "";
+  return "not a serial line; give a device such as /dev/ttyUSB0";
+}
+
 Descriptor begin_connecting(const sockaddr_in& place) {
   Descriptor socket{::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
   const auto* const address = reinterpret_cast<const sockaddr*>(&place);
@@ -84,15 +94,18 @@ void send_at_once(int socket) {
 std::string Line::open(const Endpoint& endpoint, unsigned baud) {
   close();
   closed_ = false;
+  unfit_.clear();
   connecting_ = endpoint.place.has_value();
   if (connecting_) {
     descriptor_ = begin_connecting(*endpoint.place);
     give_up_ = std::chrono::steady_clock::now() + kConnectPatience;
   } else {
     descriptor_ = open_serial(endpoint.address.path, baud);
-    taken_ = !descriptor_.is_open() && errno == EBUSY;
   }
-  if (!descriptor_.is_open()) fail(taken_ ? "in use by another program" : reason());
+  if (descriptor_.is_open()) return "";
+  const int error = errno;
+  if (!connecting_) unfit_ = why_in_vain(endpoint.address.path, error);
+  fail(unfit_.empty() ? std::strerror(error) : unfit_);
   return failure_;
 }
 

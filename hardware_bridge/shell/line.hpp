@@ -34,8 +34,9 @@ class Line {
   [[nodiscard]] bool is_up() const { return is_open() && !connecting_; }
   /// It is gone because the device or a host before it ended the connection, or never took it up.
   [[nodiscard]] bool is_closed_by_other_end() const { return closed_; }
-  /// Another program has the serial port for itself.
-  [[nodiscard]] bool is_taken() const { return taken_; }
+  /// Why opening it again is in vain: another program has the serial port for itself, or it is none. Empty:
+  /// it is not.
+  [[nodiscard]] const std::string& unfit() const { return unfit_; }
   /// To be put into Loop::wait().
   [[nodiscard]] runtime::Polled watched() const;
 
@@ -59,11 +60,11 @@ class Line {
 
   Descriptor descriptor_;
   bool connecting_ = false;
-  bool taken_ = false;
   bool closed_ = false;
   runtime::WallTime give_up_;  // connecting
   Bytes waiting_;
   std::string failure_;
+  std::string unfit_;
 };
 
 }  // namespace caravan::bridge

@@ -100,6 +100,9 @@ void ModemShell::keep_line_open() {
   if (!address_.serial || line_.is_open() || now() < retry_.due()) return;
   retry_.tries(now());
   const std::string wrong = line_.open(*address_.serial, address_.baud);
+  if (wrong.empty()) was_open_ = true;
+  if (!line_.unfit().empty() && !was_open_)
+    throw runtime::StartError{"modem " + to_text(address_.serial->address) + ": " + line_.unfit()};
   if (!wrong.empty()) tell_gone(wrong);
 }
 

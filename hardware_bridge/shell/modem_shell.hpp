@@ -41,7 +41,7 @@ class ModemShell {
   ModemShell& operator=(const ModemShell&) = delete;
 
   /// Until the loop is told to stop. @return the exit code
-  /// @throws StartError when another modem serves the robot
+  /// @throws StartError when another modem serves the robot, or the port can never be one
   int run();
 
  private:
@@ -72,6 +72,7 @@ class ModemShell {
   std::optional<Claim> claim_;
   std::optional<UdpAir> air_;
   Line line_;
+  bool was_open_ = false;
   modem::SlipReader slip_;
   Retry retry_;
   NoticeLimit limit_;

@@ -125,9 +125,7 @@ void PioneerShell::tell(Notice notice) {
 void PioneerShell::open(Port& port, unsigned baud) {
   port.retry.tries(now());
   const std::string wrong = port.line.open(port.endpoint, baud);
-  if (port.line.is_taken() && !port.was_ours) {
-    throw runtime::StartError{port.name + ": " + wrong + "; end that one first"};
-  }
+  if (!port.line.unfit().empty() && !port.was_ours) refuse(port.name + ": " + port.line.unfit());
   port.opened = wrong.empty();
   port.was_ours = port.was_ours || port.opened;
   if (!wrong.empty()) warn(port.name + ": " + wrong + ", trying again");

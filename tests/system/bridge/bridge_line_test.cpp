@@ -170,9 +170,25 @@ TEST_F(Addresses, ThatCannotBeAreRefused) {
   EXPECT_THAT(refused("tcp:127.0.0.1:0", "none"), HasSubstr("--port"));
   EXPECT_THAT(refused("tcp:127.0.0.1:81o1", "none"), HasSubstr("--port"));
   EXPECT_THAT(refused("/dev/x", "tcp:127.0.0.1:-1"), HasSubstr("--gps"));
-  EXPECT_THAT(refused("/dev/x", "/dev/x"), HasSubstr("is the robot's --port"));
+  EXPECT_THAT(refused("/dev/x", "/dev/x"), HasSubstr("--gps: /dev/x is the robot's --port;"));
+  EXPECT_THAT(refused("tcp:localhost:8101", "tcp:127.0.0.1:8101"),
+              HasSubstr("--gps: tcp:127.0.0.1:8101 is the robot's --port (tcp:localhost:8101)"));
   EXPECT_THAT(refused("tcp:no.such.host.invalid:8101", "none"),
               HasSubstr("unknown host no.such.host.invalid"));
+}
+
+TEST_F(Addresses, ThatAreNoSerialLineAreRefused) {
+  const std::string file = folder_ / "file";
+  write_file(file, "");
+  for (const std::string& path : {std::string{"/dev/null"}, std::string{"/"}, file}) {
+    EXPECT_THAT(refused(path, "none"), HasSubstr(path + ": not a serial line"));
+    EXPECT_THAT(refused("tcp:127.0.0.1:1", path), HasSubstr("GPS " + path + ": not a serial line"));
+    const auto modem = start("radio_modem_bridge", {"--robot", "1", "--modem", path});
+    EXPECT_EQ(modem->wait(kPatience), 2) << modem->output();
+    EXPECT_THAT(modem->output(), HasSubstr("modem " + path + ": not a serial line"));
+  }
+  const auto bridge = start_bridge(folder_ / "not_plugged_in_yet", "none");
+  EXPECT_TRUE(bridge->prints("No such file or directory, trying again", kPatience)) << bridge->output();
 }
 
 /// A port whose queue is full: the kernel drops who comes.
