@@ -155,7 +155,6 @@ void Bridge::gps_says(std::span<const std::uint8_t> bytes, Time now) {
                               [&](const GpsSource::Lost&) { fusion_.lose_fix(); }},
                news);
   }
-  for (Notice& notice : gps_.take_notices()) effects_.notices.push_back(std::move(notice));
   tick(now);
 }
 

@@ -31,6 +31,8 @@ bool Bridge::may_move(Time now) const {
 
 void Bridge::tick(Time now) {
   link_.tick(now);
+  if (config_.fusion.has_gps) gps_.tick(now);
+  for (Notice& notice : gps_.take_notices()) effects_.notices.push_back(std::move(notice));
   const bool heard = link_.is_heard(now);
   if (was_heard_ && !heard) note(Weight::kWarning, "robot silent: wheels told to stop");
   was_heard_ = heard;

@@ -19,6 +19,7 @@ constexpr std::size_t kBytesWorthTelling = 1000;
 constexpr std::size_t kPeriods = 4;
 constexpr double kDay_s = 86400.0;
 constexpr Time kOldest = std::chrono::seconds{1};
+constexpr Time kFirstFixPatience = std::chrono::seconds{10};
 
 std::string in_metres(double metres) {
   return metres < 10000.0 ? std::to_string(std::lround(metres)) + " m"
@@ -41,8 +42,21 @@ std::vector<GpsSource::News> GpsSource::feed(std::span<const std::uint8_t> bytes
                *parsed);
   }
   if (sentences_.refused() > refused) warn("sentence with a wrong checksum refused");
+  has_bytes_ = has_bytes_ || !bytes.empty();
+  has_sentence_ = has_sentence_ || !sentences.empty();
   tell_of_line(bytes.size(), !sentences.empty());
   return news;
+}
+
+void GpsSource::tick(Time now) {
+  if (!up_) up_ = now;
+  if (!awaits_first_fix_ || now - *up_ < kFirstFixPatience) return;
+  awaits_first_fix_ = false;
+  const std::string so_far = " in the first " + in_seconds(kFirstFixPatience);
+  if (!has_bytes_) warn("the receiver has sent nothing" + so_far + ": is it on, and --gps its port?");
+  if (has_sentence_ && !has_place_)
+    warn("the receiver has sent no GGA" + so_far + ": switch it on in the receiver");
+  if (has_no_fix_) warn("the receiver has no fix" + so_far + ": does its antenna see the sky?");
 }
 
 void GpsSource::tell_of_line(std::size_t bytes, bool understood) {
@@ -85,6 +99,7 @@ std::string GpsSource::complaint_about(const Point& fix_W) const {
 
 void GpsSource::hear(const nmea::Gga& gga, const Point& expected_W, Time now, std::vector<News>& news) {
   without_gga_ = 0;
+  has_place_ = true;
   std::string wrong = complaint(gga);
   if (wrong.empty() && !is_new(gga, now)) return;
   const Point fix_W = projection_.to_arena(gga.latitude_deg, gga.longitude_deg);
@@ -95,12 +110,16 @@ void GpsSource::hear(const nmea::Gga& gga, const Point& expected_W, Time now, st
     if (!wrong.empty()) gate_.doubt();
   }
   if (!wrong.empty()) {
-    if (gga.quality != 0) warn(wrong);
+    if (gga.quality == 0)
+      has_no_fix_ = true;
+    else
+      warn(wrong);
     news.emplace_back(Lost{});
     return;
   }
   const FixGate::Verdict verdict = gate_.judge(fix_W, expected_W);
   if (verdict == FixGate::Verdict::kTaken || verdict == FixGate::Verdict::kTakenAnew) {
+    awaits_first_fix_ = false;
     news.emplace_back(Fix{fix_W, verdict == FixGate::Verdict::kTakenAnew});
     return;
   }
@@ -112,6 +131,7 @@ void GpsSource::hear(const nmea::Gga& gga, const Point& expected_W, Time now, st
 }
 
 void GpsSource::hear(const nmea::Rmc& rmc, std::vector<News>& news) {
+  has_place_ = true;
   if (!rmc.valid) news.emplace_back(Lost{});  // its place is GGA's
   if (++without_gga_ % kRmcsWorthTelling != 0) return;
   warn("the receiver sends RMC but no GGA, which says how good a fix is: switch GGA on in the receiver");

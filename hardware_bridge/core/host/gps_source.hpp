@@ -14,7 +14,7 @@
 namespace caravan::bridge {
 
 /// What a GPS receiver's bytes say of the robot's position: fixes that may be believed, and the loss of them.
-/// Whatever is refused is told by its reason.
+/// Whatever is refused is told by its reason, and once when no fix has come 10 s after the line was up.
 class GpsSource {
  public:
   GpsSource(const ArenaPlace& arena, double jump_m) : projection_{arena}, gate_{jump_m} {}
@@ -30,9 +30,12 @@ class GpsSource {
   /// @param expected_W  see FixGate::judge
   [[nodiscard]] std::vector<News> feed(std::span<const std::uint8_t> bytes, const Point& expected_W,
                                        Time now);
+  /// To be called now and then, while there is a line.
+  void tick(Time now);
   /// The line is another one now, and so may be the receiver's time.
   void restart() {
     sentences_.restart();
+    up_.reset();
     last_time_of_day_s_.reset();
     shortest_way_s_.reset();
   }
@@ -61,6 +64,12 @@ class GpsSource {
   std::deque<Time> periods_;
   unsigned without_gga_ = 0;        // RMCs since the last one
   std::size_t not_understood_ = 0;  // bytes since the last sentence
+  std::optional<Time> up_;          // since when there is a line
+  bool awaits_first_fix_ = true;    // and has not told so
+  bool has_bytes_ = false;          // what has come so far
+  bool has_sentence_ = false;
+  bool has_place_ = false;   // GGA or RMC
+  bool has_no_fix_ = false;  // the receiver says so
   std::vector<Notice> notices_;
 };
 

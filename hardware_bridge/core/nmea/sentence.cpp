@@ -62,8 +62,9 @@ std::optional<unsigned> count(std::string_view field, unsigned most) {
   return value;
 }
 
-/// An empty field is the default; one that is not a number in the range makes the sentence senseless.
-bool read_optional(std::string_view field, double& value, double least, double most) {
+/// An empty field leaves the value; one that is not a number in the range makes the sentence senseless.
+template <typename Value>
+bool read_optional(std::string_view field, Value& value, double least, double most) {
   if (field.empty()) return true;
   const auto given = number(field);
   if (!given || *given < least || *given > most) return false;
@@ -227,8 +228,10 @@ std::optional<std::variant<Gga, Rmc, Other>> parse(std::string_view sentence) {
 
 std::string to_line(const Gga& gga) {
   std::array<char, 64> rest{};
-  std::snprintf(rest.data(), rest.size(), ",%u,%02u,%.1f,0.0,M,0.0,M,,", gga.quality, gga.satellites,
-                gga.hdop);
+  std::array<char, 16> hdop{};
+  if (gga.hdop) std::snprintf(hdop.data(), hdop.size(), "%.1f", *gga.hdop);
+  std::snprintf(rest.data(), rest.size(), ",%u,%02u,%s,0.0,M,0.0,M,,", gga.quality, gga.satellites,
+                hdop.data());
   const std::string where = gga.quality == 0 ? ",,," : place_text(gga.latitude_deg, gga.longitude_deg);
   return finished("GPGGA," + clock_text(gga.time_of_day_s) + "," + where + rest.data());
 }

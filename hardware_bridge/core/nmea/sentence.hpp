@@ -21,7 +21,7 @@ struct Gga {
   double longitude_deg = 0.0;  ///< east positive
   unsigned quality = 0;        ///< 0: no fix; 6 to 8: estimated, typed in, simulated
   unsigned satellites = 0;
-  double hdop = 99.9;  ///< as receivers say it that do not know
+  std::optional<double> hdop;
 };
 
 /// RMC: recommended minimum data.

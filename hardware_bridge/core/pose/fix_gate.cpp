@@ -26,11 +26,12 @@ std::string complaint(const nmea::Gga& gga) {
     default:
       break;
   }
-  if (gga.satellites >= kFewestSatellites && gga.hdop <= kMostHdop) return "";
+  if (gga.satellites >= kFewestSatellites && gga.hdop && *gga.hdop <= kMostHdop) return "";
+  std::array<char, 16> hdop{"no HDOP"};
+  if (gga.hdop) std::snprintf(hdop.data(), hdop.size(), "HDOP %.1f", *gga.hdop);
   std::array<char, 120> text{};
-  std::snprintf(text.data(), text.size(),
-                "fix too poor: %u satellites, HDOP %.1f; at least %u and at most %.1f", gga.satellites,
-                gga.hdop, kFewestSatellites, kMostHdop);
+  std::snprintf(text.data(), text.size(), "fix too poor: %u satellites, %s; at least %u and at most %.1f",
+                gga.satellites, hdop.data(), kFewestSatellites, kMostHdop);
   return text.data();
 }
 

@@ -130,6 +130,15 @@ TEST_F(DrivingLoop, AFixThatIsRepeatedIsNoNewOne) {
   EXPECT_THAT(told_, HasSubstr("GPS: the receiver repeats one fix"));
 }
 
+TEST_F(Loop, AReceiverThatHasNoFixFromTheStartIsCalledSoOnce) {
+  gps_works_ = false;
+  connect();
+  run(30s);
+  const std::size_t told = told_.find("the receiver has no fix in the first 10.0 s");
+  ASSERT_NE(told, std::string::npos) << told_;
+  EXPECT_EQ(told_.find("has no fix", told + 20), std::string::npos) << told_;
+}
+
 TEST_F(Loop, AReceiverWithoutGgaIsCalledSo) {
   change_gps_ =
       each([](const std::string& line) { return line.find("GGA") == std::string::npos ? line : ""; });

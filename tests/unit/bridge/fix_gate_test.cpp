@@ -57,7 +57,7 @@ TEST(FixGate, OdometryMovesTheRowToo) {
 }
 
 TEST(FixGate, SaysWhatIsWrongWithAFix) {
-  const auto of = [](unsigned quality, unsigned satellites, double hdop) {
+  const auto of = [](unsigned quality, unsigned satellites, std::optional<double> hdop) {
     nmea::Gga gga;
     gga.quality = quality;
     gga.satellites = satellites;
@@ -70,6 +70,7 @@ TEST(FixGate, SaysWhatIsWrongWithAFix) {
   EXPECT_THAT(of(1, 3, 99.9), HasSubstr("too poor"));
   EXPECT_THAT(of(1, 8, 99.9), HasSubstr("too poor"));
   EXPECT_THAT(of(1, 3, 0.9), HasSubstr("too poor"));
+  EXPECT_THAT(of(1, 8, std::nullopt), HasSubstr("8 satellites, no HDOP;"));
 }
 
 }  // namespace
