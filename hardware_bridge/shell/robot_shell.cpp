@@ -125,11 +125,15 @@ void RobotShell::tell_whether_a_body_is_there() {
   }
 }
 
-void RobotShell::tell_unknown_commands() {
+void RobotShell::tell_ignored_commands() {
   for (const std::uint8_t number : robot_.unknown_commands()) {
-    if (!told_unknown_.insert(number).second) continue;
-    spdlog::warn("the host sends command {}, which this robot does not know: ignored (docs/arcos.md)",
-                 number);
+    if (told_unknown_.insert(number).second)
+      spdlog::warn("the host sends command {}, which this robot does not know: ignored (docs/arcos.md)",
+                   number);
+  }
+  for (const std::uint8_t number : robot_.malformed_commands()) {
+    if (told_malformed_.insert(number).second)
+      spdlog::warn("the host sends command {} with an argument of a wrong kind or length: ignored", number);
   }
 }
 
@@ -143,6 +147,7 @@ void RobotShell::let_in_a_host() {
     has_host_ = true;
     robot_.connected(now());
     told_unknown_.clear();
+    told_malformed_.clear();
     told_turned_away_ = false;
     spdlog::info("a host has connected: {}", host_peer_);
   } else if (!std::exchange(told_turned_away_, true)) {
@@ -171,7 +176,7 @@ void RobotShell::attend_robot(bool host_waits, bool ready) {
   }
   if (ready && host_.is_open()) {
     robot_.receive(host_.attend(), now());
-    tell_unknown_commands();
+    tell_ignored_commands();
   }
   let_go_of_a_host_that_has_gone();
   let_go_of_a_silent_host();

@@ -50,7 +50,7 @@ class RobotShell {
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
   [[nodiscard]] Wall next_deadline() const;
   void tell_whether_a_body_is_there();
-  void tell_unknown_commands();
+  void tell_ignored_commands();
   void let_in_a_host();
   void let_go_of_a_silent_host();
   void let_go_of_a_host_that_has_gone();
@@ -73,6 +73,7 @@ class RobotShell {
   bool told_turned_away_ = false;        // since a host was let in
   bool told_gps_turned_away_ = false;    // since a client was
   std::set<std::uint8_t> told_unknown_;  // commands of this host
+  std::set<std::uint8_t> told_malformed_;
 
   mutable std::mutex mutex_;
   Microcontroller robot_;

@@ -77,6 +77,7 @@ void Bridge::on_sip(const arcos::Sip& sip, Time now) {
   for (Notice& notice : health_.watch(sip)) effects_.notices.push_back(std::move(notice));
   for (Notice& notice : sonar_watch_.watch(sip.sonars, now)) effects_.notices.push_back(std::move(notice));
   see_stop(sip);
+  tell_of_missing_commands();
   follow(sip, now);
   if (auto* gripper = std::get_if<ArcosGripper>(&gripper_)) {
     if (const auto again = gripper->see(sip, now)) link_.send(*again);

@@ -112,6 +112,7 @@ class Bridge {
   }
   [[nodiscard]] bool is_wished(Time now) const;
   void keep_still(Time now);
+  void tell_of_missing_commands();
   void tell_safety(Time now);
   void tell_position(Time now);
   void tell_what_is_awaited(Time now);
@@ -132,7 +133,8 @@ class Bridge {
   Time last_stamp_{-1};
   std::optional<Time> wished_;  // when the last wish came
   Wish wish_;
-  bool moved_ = false;  // it was allowed to at the last look
+  bool moved_ = false;             // it was allowed to at the last look
+  bool stopped_unwished_ = false;  // for want of a command, which is not told yet
   Time stop_due_{0};
   std::optional<Time> tell_due_;  // why it stands; none: it did not look yet
   bool was_heard_ = false;

@@ -2,6 +2,7 @@
 // When the wheels of a bridged robot may turn, and what is told while they may not.
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "hardware_bridge/core/host/bridge.hpp"
 
@@ -35,6 +36,7 @@ void Bridge::tick(Time now) {
   for (Notice& notice : gps_.take_notices()) effects_.notices.push_back(std::move(notice));
   const bool heard = link_.is_heard(now);
   if (was_heard_ && !heard) note(Weight::kWarning, "robot silent: wheels told to stop");
+  if (!heard) stopped_unwished_ = false;
   was_heard_ = heard;
   tell_safety(now);
   tell_position(now);
@@ -52,14 +54,19 @@ void Bridge::tell_safety(Time now) {
 
 void Bridge::keep_still(Time now) {
   const bool may = may_move(now);
-  if (moved_ && !may && wished_ && !is_wished(now)) {
-    note(Weight::kWarning,
-         "no command for " + std::to_string(holds(config_.command_timeout) / 1ms) + " ms: wheels stopped");
-  }
+  if (moved_ && !may && wished_ && !is_wished(now)) stopped_unwished_ = true;
   if (!may && moved_) link_.brake();
   if (!may && now >= stop_due_) link_.stop();
   if (!may && (moved_ || now >= stop_due_)) stop_due_ = now + kStopAgain;
   moved_ = may;
+}
+
+/// With the next SIP: a robot that has fallen silent gives its agent nothing to answer, and that alone is
+/// told.
+void Bridge::tell_of_missing_commands() {
+  if (!std::exchange(stopped_unwished_, false)) return;
+  note(Weight::kWarning,
+       "no command for " + std::to_string(holds(config_.command_timeout) / 1ms) + " ms: wheels stopped");
 }
 
 void Bridge::tell_position(Time now) {

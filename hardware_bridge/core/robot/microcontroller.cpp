@@ -47,6 +47,8 @@ void Microcontroller::connected(Time now) {
   disconnected();
   connected_ = true;
   heard_ = now;
+  unknown_.clear();
+  malformed_.clear();
 }
 
 void Microcontroller::disconnected() {
@@ -63,7 +65,6 @@ void Microcontroller::close() {
   stop_stalls_ = true;
   bump_stall_ = kFrontBumps | kRearBumps;
   encoders_asked_ = io_asked_ = gripper_asked_ = joystick_asked_ = ReportRequest{};
-  unknown_.clear();
 }
 
 void Microcontroller::receive(std::span<const std::uint8_t> bytes, Time now) {
@@ -74,6 +75,7 @@ void Microcontroller::receive(std::span<const std::uint8_t> bytes, Time now) {
       obey(*command, now);
     } else {
       ++ignored_;
+      malformed_.insert(data[0]);
     }
   }
 }

@@ -100,8 +100,10 @@ class Microcontroller {
   }
   /// Packets that were no command, and commands that it does not know.
   [[nodiscard]] std::uint64_t ignored_commands() const { return ignored_; }
-  /// Numbers of the commands that it does not know, each once.
+  /// Numbers of this host's commands that it does not know, each once.
   [[nodiscard]] const std::set<std::uint8_t>& unknown_commands() const { return unknown_; }
+  /// Of those whose argument is of no kind or length that ARCOS has.
+  [[nodiscard]] const std::set<std::uint8_t>& malformed_commands() const { return malformed_; }
 
  private:
   void obey(const arcos::Command& command, Time now);
@@ -163,6 +165,7 @@ class Microcontroller {
   arcos::Bytes output_;
   std::uint64_t ignored_ = 0;
   std::set<std::uint8_t> unknown_;
+  std::set<std::uint8_t> malformed_;
 };
 
 }  // namespace caravan::bridge

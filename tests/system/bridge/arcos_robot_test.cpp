@@ -132,6 +132,16 @@ TEST_F(ArcosRobot, NamesACommandThatItDoesNotKnowOnce) {
   EXPECT_EQ(output.find("command 99"), output.rfind("command 99"));
 }
 
+TEST_F(ArcosRobot, NamesACommandWithAWrongArgumentOnce) {
+  Host host{robot_.port};
+  for (int times = 0; times < 3; ++times) host.say(from_hex("FA FB 05 01 3B 01 02 3B"));  // OPEN, one byte
+  host.open();
+  ASSERT_TRUE(host.sip([](const Sip&) { return true; }));
+  const std::string output = robot_.process->output();
+  EXPECT_THAT(output, HasSubstr("command 1 with an argument of a wrong kind or length: ignored"));
+  EXPECT_EQ(output.find("command 1 with"), output.rfind("command 1 with"));
+}
+
 TEST_F(ArcosRobot, DrivesThroughTheWorldAndReckonsAsItDoes) {
   Host host{robot_.port};
   host.open();

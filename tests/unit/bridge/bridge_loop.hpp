@@ -58,7 +58,10 @@ class Loop : public ::testing::Test {
     const std::string lines = change_gps_(gps_.take_lines(now_));
     if (gps_speaks_) bridge_.gps_says(bytes_of(lines), now_);
     if (robot_powered_ && !robot_silent_) pass_to_host(robot_.take_output());
-    if (agent_speaks_ && !frames_.empty()) bridge_.wish(wish_, frames_.back().stamp, now_);
+    if (agent_speaks_ && frames_.size() >= answered_ + unanswered_) {
+      if (!frames_.empty()) bridge_.wish(wish_, frames_.back().stamp, now_);
+      answered_ = frames_.size();
+    }
     bridge_.tick(now_);
     Bridge::Effects effects = bridge_.take_effects();
     if (line_whole_ && robot_hears_ && robot_powered_ && !effects.to_robot.empty()) {
@@ -112,6 +115,8 @@ class Loop : public ::testing::Test {
   std::string unfit_;
   bool gps_works_ = true;
   bool agent_speaks_ = true;
+  std::size_t unanswered_ = 0;  // frames between two answers of the agent; 0: it says the same all the time
+  std::size_t answered_ = 0;    // frames, so far
   std::vector<Frame> frames_;
   std::string told_;
 };

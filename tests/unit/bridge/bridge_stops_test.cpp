@@ -53,6 +53,23 @@ TEST_F(DrivingLoop, ARobotThatSendsNothingIsStoppedWithin600Milliseconds) {
   EXPECT_TRUE(moves_) << "recovers without restart";
 }
 
+/// Wherever between two packets it falls silent, and however slow the agent is.
+TEST_F(DrivingLoop, ARobotThatFallsSilentIsNotToldToLackCommandsToo) {
+  for (unanswered_ = 1; unanswered_ <= 3; ++unanswered_) {
+    for (Time delay{0}; delay < 300ms; delay += 10ms) {
+      run(delay);
+      robot_silent_ = true;
+      run(1s);
+      EXPECT_THAT(told_, HasSubstr("robot silent: wheels told to stop"));
+      EXPECT_THAT(told_, Not(HasSubstr("no command"))) << unanswered_ << " " << in_seconds(delay);
+      robot_silent_ = false;
+      run(3s);
+      ASSERT_TRUE(moves_);
+      told_.clear();
+    }
+  }
+}
+
 TEST_F(DrivingLoop, ACableThatIsPulledAndPutBackNeedsNoRestart) {
   line_whole_ = false;
   bridge_.robot_down(now_);

@@ -278,5 +278,17 @@ TEST_F(PioneerHost, IsToldWhichCommandsAreNotKnown) {
   EXPECT_EQ(robot_.ignored_commands(), 2U);
 }
 
+TEST_F(PioneerHost, IsToldWhichCommandsHaveAWrongArgument) {
+  robot_.connected(now_);
+  for (const arcos::Bytes& data :
+       {arcos::Bytes{1, 0x3b, 1}, arcos::Bytes{18, 0x3b, 1, 0, 0}, arcos::Bytes{18, 0x55, 1}})
+    say(arcos::to_packet(data));
+  EXPECT_FALSE(robot_.is_open());
+  EXPECT_THAT(robot_.malformed_commands(), ElementsAre(1, 18));
+  EXPECT_EQ(robot_.ignored_commands(), 3U);
+  shake_hands();
+  EXPECT_THAT(robot_.malformed_commands(), IsEmpty()) << "another host";
+}
+
 }  // namespace
 }  // namespace caravan::bridge
