@@ -68,7 +68,7 @@ class DdsRun {
   void follow();
   void look();
   /// Of a process that ended by itself. Before the first step the run fails at once: nobody else takes its
-  /// place.
+  /// place. It could not start then, unless the world has failed in that step.
   void take_end(const runtime::Ended& one);
   void check_start(Wall now);
   [[nodiscard]] bool have_last_statuses() const;
@@ -134,15 +134,12 @@ void DdsRun::look() {
 }
 
 void DdsRun::take_end(const runtime::Ended& one) {
-  std::string how = one.name + " (pid " + std::to_string(one.pid) + ") " +
-                    (one.exit_code > 128 ? "was ended by signal " + std::to_string(one.exit_code - 128)
-                                         : "ended with exit code " + std::to_string(one.exit_code)) +
-                    ", its log says why";
+  std::string how = one.name + " (pid " + std::to_string(one.pid) + ") " + runtime::how(one);
   if (is_full(request_.folder)) how += "; no room is left in " + request_.folder.string();
   if (!stepped_) {
     if (!failure_.empty()) return;  // of several the first
     failure_ = how + ", and the run had not begun";
-    could_not_start_ = one.name != "world_server" || one.exit_code == runtime::kCouldNotStart;
+    could_not_start_ = one.name != "world_server" || one.exit_code != runtime::kFailed;
   } else if (one.name.starts_with("robot_agent")) {
     --agent_processes_;
     std::fprintf(stderr, "%s\n", how.c_str());

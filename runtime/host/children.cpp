@@ -4,11 +4,22 @@
 #include <sys/wait.h>
 
 #include <csignal>
+#include <cstring>
 #include <utility>
 
 #include "runtime/host/spawn.hpp"
 
 namespace caravan::runtime {
+
+std::string how(const Ended& ended) {
+  if (ended.exit_code <= 128)
+    return "ended with exit code " + std::to_string(ended.exit_code) + ", its log says why";
+  const int signal = ended.exit_code - 128;
+  if (signal == SIGKILL) return "was killed by signal 9 (somebody did it, or the kernel for want of memory)";
+  return "was ended by signal " + std::to_string(signal) + " (" + strsignal(signal) +
+         "), its log may say why";
+}
+
 Children::Children(std::filesystem::path log_folder, std::function<void()> on_end, std::vector<int> shared)
     : log_folder_{std::move(log_folder)}, on_end_{std::move(on_end)}, shared_{std::move(shared)} {}
 

@@ -23,6 +23,9 @@ struct Ended {
   int exit_code = 0;  ///< 128 + n when signal n killed it
 };
 
+/// "ended with exit code 7, its log says why". Of whoever is killed by SIGKILL no log does.
+[[nodiscard]] std::string how(const Ended& ended);
+
 /// The run's processes: started as direct children, each with a log file, and stopped together.
 ///
 /// A thread waits for their ends, so that nothing polls. Children receive SIGTERM when this process dies.
