@@ -15,6 +15,11 @@
 namespace caravan::deploy {
 namespace {
 
+/// Of names of files and folders.
+std::string complaint_about_name(const std::string& name) {
+  return name.empty() ? "a name is missing: it is empty" : "";
+}
+
 void add_changes(CLI::App& app, Overrides& overrides) {
   app.add_option("--robots", overrides.robots, "Number of robots");
   app.add_option("--items", overrides.items, "Deliveries that end the run; 0: it ends with the time");
@@ -39,7 +44,9 @@ void add_transport(CLI::App& app, runtime::Transport& transport) {
 }
 
 void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
-  run.add_option("scenario", command.scenario, "Scenario file (TOML)")->required();
+  run.add_option("scenario", command.scenario, "Scenario file (TOML)")
+      ->required()
+      ->check(complaint_about_name);
   add_engine(run, engine);
   run.add_option("--mode", command.overrides.mode, "Communication: none, partial or full")
       ->check(CLI::IsMember({"none", "partial", "full"}));
@@ -53,7 +60,8 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
                  "Of the dds engine: so many robots share a process; with many robots it is faster")
       ->check(CLI::Range(1U, 65535U))
       ->capture_default_str();
-  run.add_option("--out", command.out, "Folder for the results; must be new or empty");
+  run.add_option("--out", command.out, "Folder for the results; must be new or empty")
+      ->check(complaint_about_name);
   run.add_flag("--trace", command.trace, "Record everything that goes into the digest, for `caravan diff`");
   run.add_flag("--quiet", command.quiet, "No progress, no result table");
   run.add_flag("--report", command.report, "Draw the report of the run when it has ended");
@@ -61,12 +69,16 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
 
 void add_report_options(CLI::App& report, ReportCommand& command) {
   report.add_option("folders", command.folders, "Folders of runs, or with runs in them, such as of sweeps")
-      ->required();
-  report.add_option("--out", command.out, "Where to write; without it report/ in the first folder");
+      ->required()
+      ->check(complaint_about_name);
+  report.add_option("--out", command.out, "Where to write; without it report/ in the first folder")
+      ->check(complaint_about_name);
 }
 
 void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
-  sweep.add_option("scenario", command.scenario, "Scenario file (TOML)")->required();
+  sweep.add_option("scenario", command.scenario, "Scenario file (TOML)")
+      ->required()
+      ->check(complaint_about_name);
   sweep.add_option("--seeds", command.seeds, "Seeds, as in 1-30 or 1,4,7-9")->capture_default_str();
   sweep.add_option("--modes", command.modes, "Modes of communication, comma-separated")
       ->capture_default_str();
@@ -75,8 +87,10 @@ void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
   command.jobs = std::max(1U, std::thread::hardware_concurrency());
   sweep.add_option("--jobs", command.jobs, "Runs at a time; without it one for each processor")
       ->check(CLI::Range(std::size_t{1}, std::size_t{4096}));
-  CLI::Option* out = sweep.add_option(
-      "--out", command.out, "Folder for the results; one that holds a part of them is gone on with");
+  CLI::Option* out = sweep
+                         .add_option("--out", command.out,
+                                     "Folder for the results; one that holds a part of them is gone on with")
+                         ->check(complaint_about_name);
   CLI::Option* task =
       sweep.add_option("--task-index", command.task,
                        "Only the run of this index, from 0, and no tables: for arrays of batch jobs");
@@ -94,9 +108,11 @@ void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
 }
 
 void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
-  deploy.add_option("script", command.script, "Script file (TOML)")->required();
-  deploy.add_option("--out", command.out, "Folder for the logs; must be new or empty");
-  deploy.add_option("--junit", command.junit, "Report in JUnit XML; without it junit.xml among the logs");
+  deploy.add_option("script", command.script, "Script file (TOML)")->required()->check(complaint_about_name);
+  deploy.add_option("--out", command.out, "Folder for the logs; must be new or empty")
+      ->check(complaint_about_name);
+  deploy.add_option("--junit", command.junit, "Report in JUnit XML; without it junit.xml among the logs")
+      ->check(complaint_about_name);
   deploy.add_option("--domain", command.domain, "DDS domain; without it a free one is taken")
       ->check(CLI::Range(0U, 232U));
   add_transport(deploy, command.transport);
@@ -134,14 +150,18 @@ Command read_command_line(int argc, const char* const* argv) {
   add_run_options(*run, run_command, engine);
   DiffCommand diff_command;
   CLI::App* diff = app.add_subcommand("diff", "Name the first difference between two runs with --trace");
-  diff->add_option("one", diff_command.one, "Folder of a run")->required();
-  diff->add_option("other", diff_command.other, "Folder of another run")->required();
+  diff->add_option("one", diff_command.one, "Folder of a run")->required()->check(complaint_about_name);
+  diff->add_option("other", diff_command.other, "Folder of another run")
+      ->required()
+      ->check(complaint_about_name);
   SweepCommand sweep_command;
   CLI::App* sweep = app.add_subcommand("sweep", "Run a scenario with many seeds and modes");
   add_sweep_options(*sweep, sweep_command);
   CheckCommand check_command;
   CLI::App* check = app.add_subcommand("check", "Check a scenario file and run nothing");
-  check->add_option("scenario", check_command.scenario, "Scenario file (TOML)")->required();
+  check->add_option("scenario", check_command.scenario, "Scenario file (TOML)")
+      ->required()
+      ->check(complaint_about_name);
   ReportCommand report_command;
   CLI::App* report = app.add_subcommand("report", "Draw the figures of recorded runs: one page, SVG and PNG");
   add_report_options(*report, report_command);

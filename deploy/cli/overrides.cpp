@@ -18,7 +18,7 @@ bool may_be_in_a_name(char letter) {
 }
 
 bool is_name(const std::string& text) {
-  return !text.empty() && text.size() <= kLongestName && text != "." && text != ".." &&
+  return !text.empty() && text.size() <= kLongestName && text != "." && text != ".." && text[0] != '-' &&
          std::all_of(text.begin(), text.end(), may_be_in_a_name);
 }
 
@@ -36,10 +36,11 @@ std::string name_of(const runtime::TomlDocument& scenario) {
   root.read("name", name);
   if (root.has("name")) {
     if (!is_name(name)) {
-      root.fail("name",
-                "must be 1 to " + std::to_string(kLongestName) +
-                    " letters (a to z), digits, dots, dashes or underlines, and not . or ..: it becomes "
-                    "part of a folder's name");
+      root.fail(
+          "name",
+          "must be 1 to " + std::to_string(kLongestName) +
+              " letters (a to z), digits, dots, dashes or underlines, not begin with a dash, and not be "
+              ". or ..: it becomes part of a folder's name");
     }
     return name;
   }

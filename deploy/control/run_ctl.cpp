@@ -90,17 +90,21 @@ std::optional<msg::ControlRequest> read(const std::vector<std::string>& words) {
 }  // namespace
 
 std::string ctl_help() {
-  std::string text = "Things to ask (each may end in `at STEP`):\n  status  how the world is\n";
+  std::string text =
+      "Things to ask:\n  status  how the world is\nand, now or with `at STEP` behind it in that step:\n";
   for (const ControlForm& form : control_forms())
     text += "  " + std::string{form.form} + "  " + std::string{form.meaning} + "\n";
   return text;
 }
 
 int run_ctl(std::uint32_t domain, runtime::Transport transport, const std::vector<std::string>& words) {
-  const bool only_status = words.size() == 1 && words[0] == "status";
+  const bool only_status = words[0] == "status";
+  if (only_status && words.size() > 1)
+    throw runtime::StartError{"caravan ctl: status is of now: nothing may follow it, such as \"" + words[1] +
+                              "\""};
   const auto request = read(words);
   if (!request && !only_status)
-    throw runtime::StartError{"caravan ctl: unknown request, see caravan ctl --help"};
+    throw runtime::StartError{"caravan ctl: \"" + words[0] + "\" is no request, see caravan ctl --help"};
   // Not even looked at: whoever joins only gets in the way of processes that cannot use its shared memory.
   if (const auto other = runtime::other_user_in(domain);
       other && transport == runtime::Transport::kSharedMemory) {

@@ -116,7 +116,7 @@ constexpr std::array kForms{
     ControlForm{"pause", "no step starts until resume or step"},
     ControlForm{"resume", "continues with the steps"},
     ControlForm{"step [N]", "a paused world takes N steps (default 1) and is paused again"},
-    ControlForm{"speed X", "X times real time; `speed max`: as fast as possible"},
+    ControlForm{"speed X", "X times real time, 0.001 to 1000; `speed max`: as fast as possible"},
     ControlForm{"teleport ROBOT X Y [YAW]", "moves a robot to another place, at rest; metres, radians"},
     ControlForm{"hold ROBOT", "blocks a robot's wheels, whatever it commands"},
     ControlForm{"release ROBOT", "ends `hold`"},

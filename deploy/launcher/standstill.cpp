@@ -30,6 +30,7 @@ std::string reason(const std::optional<WorldStatus>& world, std::chrono::nanosec
   if (world->paused()) return "somebody has paused the run, `caravan ctl resume` goes on";
   if (!world->hung().empty()) return listed(world->hung()) + " does not answer";
   if (!world->missing().empty()) return listed(world->missing()) + " is missing";
+  if (!world->held().empty()) return world->held();
   if (world->members() == 0) return listed(world->gone()) + " is gone, and no other robot is left";
   return "the world does not say why";
 }

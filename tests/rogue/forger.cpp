@@ -131,6 +131,7 @@ void Forger::forge(msg::WorldStatus& status) {
   status.completed(below(2) == 0);
   status.disturbed(below(2) == 0);
   status.paused(below(2) == 0);
+  status.held(below(2) == 0 ? "" : "a rogue");
   status.digest("0123456789abcdef");
 }
 

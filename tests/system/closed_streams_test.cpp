@@ -52,6 +52,24 @@ TEST_P(ClosedStreams, NoStreamAtAllLeavesTheRecordsFreeOfWhatIsPrinted) {
   expect_whole_record(" <&- >&- 2>&-");
 }
 
+class FullOutput : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(FullOutput, IsAnErrorWithOneLine) {
+  const ScratchFolder folder;
+  const std::string line =
+      "cd " + folder.path().string() + " && " + CARAVAN_BIN_DIR + "/caravan " + GetParam() + " > /dev/full";
+  deploy::Process shell{{"/bin/sh", "-c", line}, folder / "shell.log"};
+  EXPECT_EQ(shell.wait(kPatience), 1) << shell.output();
+  EXPECT_THAT(shell.output(), HasSubstr("standard output: not all that was printed could be written"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Command, FullOutput,
+                         ::testing::Values("run " CARAVAN_SOURCE_DIR
+                                           "/deploy/scenarios/small.toml --engine embedded --out out",
+                                           "check " CARAVAN_SOURCE_DIR "/deploy/scenarios/small.toml",
+                                           "--help"),
+                         [](const auto& one) { return "Number" + std::to_string(one.index); });
+
 INSTANTIATE_TEST_SUITE_P(Engine, ClosedStreams, ::testing::Values("embedded", "dds"),
                          [](const auto& engine) { return std::string{engine.param}; });
 

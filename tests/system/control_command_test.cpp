@@ -82,7 +82,12 @@ TEST_F(ControlCommand, PausesStepsSteersAndDisturbsARun) {
 }
 
 TEST_F(ControlCommand, SaysWhatIsWrongBeforeItAsksAnybody) {
-  EXPECT_EQ(ctl({"dance"}).code, 2);
+  const Said dance = ctl({"dance"});
+  EXPECT_EQ(dance.code, 2);
+  EXPECT_THAT(dance.text, HasSubstr("\"dance\" is no request"));
+  const Said later = ctl({"status", "at", "5"});
+  EXPECT_EQ(later.code, 2);
+  EXPECT_THAT(later.text, HasSubstr("status is of now: nothing may follow it"));
   const Said hold = ctl({"hold"});
   EXPECT_EQ(hold.code, 2);
   EXPECT_THAT(hold.text, HasSubstr("the robot's number is missing"));

@@ -17,6 +17,23 @@ using ::testing::IsEmpty;
 
 class StandingStill : public ::testing::Test {
  protected:
+  explicit StandingStill(const std::string& scenario_text = read_file(scenario("small.toml")))
+      : launcher_{command(scenario_text), folder_ / "launcher.log"} {}
+  [[nodiscard]] std::vector<std::string> command(const std::string& scenario_text) const {
+    write_file(folder_ / "scenario.toml", scenario_text);
+    return {"caravan",
+            "run",
+            folder_ / "scenario.toml",
+            "--out",
+            folder_ / "out",
+            "--items",
+            "100000",
+            "--max-time",
+            "1000000",
+            "--domain",
+            std::to_string(lock_.domain()),
+            "--quiet"};
+  }
   void SetUp() override { ASSERT_TRUE(goes_on()) << launcher_.output(); }
   void TearDown() override {
     launcher_.signal(SIGINT);
@@ -32,8 +49,10 @@ class StandingStill : public ::testing::Test {
     };
     return eventually([&, before = rows()] { return rows() > before + 20; }, kPatience);
   }
-  void ask(const std::string& action) const {
-    Process ctl{{"caravan", "ctl", "--domain", std::to_string(lock_.domain()), action}, folder_ / "ctl.log"};
+  void ask(const std::vector<std::string>& action) const {
+    std::vector<std::string> line{"caravan", "ctl", "--domain", std::to_string(lock_.domain())};
+    line.insert(line.end(), action.begin(), action.end());
+    Process ctl{line, folder_ / "ctl.log"};
     ASSERT_EQ(ctl.wait(kPatience), 0) << ctl.output();
   }
   void send(int signal, const std::string& program, const std::string& more = "") const {
@@ -47,24 +66,38 @@ class StandingStill : public ::testing::Test {
 
   runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
-  Process launcher_{{"caravan", "run", scenario("small.toml"), "--out", folder_ / "out", "--items", "100000",
-                     "--max-time", "1000000", "--domain", std::to_string(lock_.domain()), "--quiet"},
-                    folder_ / "launcher.log"};
+  Process launcher_;
 };
 
 TEST_F(StandingStill, APausedRunSaysSoAndOneWhoseAgentsAreSuspendedNamesThem) {
-  ask("pause");
+  ask({"pause"});
   EXPECT_TRUE(launcher_.prints("somebody has paused the run", kPatience)) << launcher_.output();
   send_all_agents(SIGSTOP);  // while they wait: none of them holds a lock
-  ask("resume");
+  ask({"resume"});
   EXPECT_TRUE(launcher_.prints("robot 1, robot 2, robot 3, robot 4 ", kPatience)) << launcher_.output();
   EXPECT_TRUE(launcher_.prints("no other robot is left", kPatience)) << launcher_.output();
   send_all_agents(SIGCONT);
   EXPECT_TRUE(goes_on()) << launcher_.output();
 }
 
+/// At the lowest speed one step takes four minutes.
+class StandingStillInLongSteps : public StandingStill {
+ protected:
+  StandingStillInLongSteps()
+      : StandingStill{
+            replaced(read_file(scenario("small.toml")), "[world]", "[world]\nstep_s = 0.25\nsubsteps = 8")} {}
+};
+
+TEST_F(StandingStillInLongSteps, ARunWhoseWorldWasMadeVerySlowSaysSoAndTheRange) {
+  ask({"speed", "0.001"});
+  EXPECT_TRUE(launcher_.prints("the world runs at 0.001 times real time", kPatience)) << launcher_.output();
+  EXPECT_TRUE(launcher_.prints("(`caravan ctl speed` takes 0.001 to 1000, or max)", kPatience));
+  ask({"speed", "1000"});
+  EXPECT_TRUE(goes_on()) << "at once, not when the slow step is over" << launcher_.output();
+}
+
 TEST_F(StandingStill, ARunWhoseWorldSaysNothingNamesIt) {
-  ask("pause");
+  ask({"pause"});
   send(SIGSTOP, "world_server");
   EXPECT_TRUE(launcher_.prints("world_server has said nothing for ", kPatience)) << launcher_.output();
 }

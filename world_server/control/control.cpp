@@ -9,9 +9,6 @@
 namespace caravan::world {
 namespace {
 
-constexpr double kSlowest = 0.001;
-constexpr double kFastest = 1000.0;
-
 bool is_finite(const Pose& pose) {
   return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.yaw_rad);
 }

@@ -61,6 +61,10 @@ struct ControlConfig {
 /// is controlled by orders for given steps repeats itself bit for bit.
 class Control {
  public:
+  /// Of SetSpeed.
+  static constexpr double kSlowest = 0.001;
+  static constexpr double kFastest = 1000.0;
+
   /// What the world does to robots when it is told to. Each says why it cannot be done, or nothing.
   struct Hands {
     std::function<std::string(const Teleport&)> teleport;

@@ -60,11 +60,13 @@ void WorldShell::on_control(const msg::ControlRequest& request) {
 
 void WorldShell::reach_boundary() {
   const bool was_paused = control_.is_paused();
+  const double speed = control_.speed();
   outputs_.replies(control_.reach(
       world_.step(),
       {.teleport = [this](const Teleport& teleport) { return world_.place(teleport.robot, teleport.to); },
        .spawn = [this](const Spawn& spawn) { return this->spawn(spawn); },
        .remove = [this](const Remove& remove) { return this->remove(remove); }}));
+  if (control_.speed() != speed) pace_.change(std::chrono::steady_clock::now(), control_.speed());
   if (control_.is_paused() != was_paused) status_changed();
 }
 

@@ -59,6 +59,17 @@ void WorldShell::name_the_late(Wall now) {
   }
 }
 
+std::string WorldShell::held(Wall now) const {
+  if (lockstep_.phase() != Phase::kClosed || control_.is_paused()) return "";
+  if (logged_.hold) return "observer " + *hold_.by + " lives but handles no more steps";
+  const Wall::duration left = pace_.due() - now;
+  if (hold_.by || control_.speed() == 0.0 || left < 1s) return "";
+  return fmt::format(
+      "the world runs at {} times real time, its next step is due in {:.0f} s "
+      "(`caravan ctl speed` takes {} to {}, or max)",
+      control_.speed(), seconds(left), Control::kSlowest, Control::kFastest);
+}
+
 void WorldShell::publish_status(Wall now) {
   status_due_ = now + kStatusPeriod;
   const double since = seconds(now - tallies_.last_status);
@@ -81,6 +92,7 @@ void WorldShell::publish_status(Wall now) {
                    world_.items_delivered() >= config_.experiment.items);
   status.disturbed(barrier_.disturbed() || control_.was_used() || inputs_.radio_controlled);
   status.paused(control_.is_paused());
+  status.held(held(now));
   status.digest(digest_);
   status.steps(steps);
   status.refused_commands(sum(tallies_.refused_commands));

@@ -94,6 +94,9 @@ class WorldShell {
   [[nodiscard]] Wall next_deadline(Wall now) const;
   [[nodiscard]] std::vector<std::string> missing() const;
   void name_the_late(Wall now);
+  /// Beside robots, radio and a pause: why the next step has not opened for some time. Empty: it need not
+  /// wait.
+  [[nodiscard]] std::string held(Wall now) const;
   void publish_status(Wall now);
 
   const WorldConfig config_;

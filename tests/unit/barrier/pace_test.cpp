@@ -43,6 +43,17 @@ TEST(Pace, HasEveryStepDueAtSpeedZero) {
   EXPECT_TRUE(pace.is_due(kStart, 0.0));
 }
 
+TEST(Pace, OfASlowWorldCountsAtOnceWhenTheSpeedIsRaisedAndNotBeforeWhenItIsLowered) {
+  Pace pace{32ms};
+  pace.start(kStart);
+  pace.open(kStart, 0.001);
+  EXPECT_EQ(pace.due(), kStart + 32s);
+  pace.change(kStart + 1s, 1.0);
+  EXPECT_EQ(pace.due(), kStart + 1s + 32ms);
+  pace.change(kStart + 1s, 0.001);
+  EXPECT_EQ(pace.due(), kStart + 1s + 32ms);
+}
+
 TEST(StepInputs, AreUsedUpByTheStepUnlessCommandsHold) {
   StepInputs inputs{2};
   inputs.command(1, {.left_mps = 0.5}, 0s);

@@ -55,6 +55,21 @@ TEST(CommandLine, AReportTakesAnyNumberOfFoldersAndAtLeastOne) {
   EXPECT_THAT(complaint({"report"}), testing::HasSubstr("folders"));
 }
 
+TEST(CommandLine, RefusesNamesOfFilesAndFoldersThatAreEmpty) {
+  for (const std::vector<const char*>& words :
+       std::vector<std::vector<const char*>>{{"run", ""},
+                                             {"run", "a.toml", "--out", ""},
+                                             {"sweep", "a.toml", "--out", ""},
+                                             {"check", ""},
+                                             {"report", ""},
+                                             {"report", "a", "--out", ""},
+                                             {"diff", "a", ""},
+                                             {"deploy", ""},
+                                             {"deploy", "a.toml", "--out", ""},
+                                             {"deploy", "a.toml", "--junit", ""}})
+    EXPECT_THAT(complaint(words), testing::HasSubstr("a name is missing: it is empty"));
+}
+
 TEST(CommandLine, TakesEveryOptionOfARun) {
   const auto command =
       read({"run",        "paper.toml", "--engine", "embedded",    "--mode",   "partial",

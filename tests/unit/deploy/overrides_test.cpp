@@ -70,13 +70,14 @@ TEST(Name, OfAScenarioIsLettersDigitsDotsDashesAndUnderlinesUpTo64) {
   const auto named = [](const std::string& name) {
     return name_of(TomlDocument::parse("name = " + name + "\n", "course.toml"));
   };
-  for (const std::string good : {"paper", "Paper_2.1-x", "...", "a", "-"})
+  for (const std::string good : {"paper", "Paper_2.1-x", "...", "a", "a-"})
     EXPECT_EQ(named("'" + good + "'"), good);
   EXPECT_EQ(named("'" + std::string(64, 'x') + "'"), std::string(64, 'x'));
   for (const std::string& bad :
-       {std::string{"''"}, std::string{"'.'"}, std::string{"'..'"}, std::string{"'a/b'"},
-        std::string{"'../../x'"}, std::string{"'a b'"}, std::string{R"("a\nb")"},
-        std::string{R"("a\u0000b")"}, std::string{"'\u00e9'"}, "'" + std::string(65, 'x') + "'"}) {
+       {std::string{"''"}, std::string{"'.'"}, std::string{"'..'"}, std::string{"'-'"},
+        std::string{"'--help'"}, std::string{"'a/b'"}, std::string{"'../../x'"}, std::string{"'a b'"},
+        std::string{R"("a\nb")"}, std::string{R"("a\u0000b")"}, std::string{"'\u00e9'"},
+        "'" + std::string(65, 'x') + "'"}) {
     EXPECT_THAT([&] { (void)named(bad); }, testing::ThrowsMessage<runtime::StartError>(
                                                testing::StartsWith("course.toml:1: name: must be")))
         << bad;
@@ -87,6 +88,7 @@ TEST(Name, ThatTheFileGivesIsMadeOne) {
   const auto of_file = [](const std::string& file) { return name_of(TomlDocument::parse("", file)); };
   EXPECT_EQ(of_file("/home/me/my course\n2.toml"), "my_course_2");
   EXPECT_EQ(of_file("..toml"), "scenario");
+  EXPECT_EQ(of_file("--help.toml"), "scenario");
   EXPECT_EQ(of_file(std::string(200, 'x') + ".toml"), std::string(64, 'x'));
 }
 

@@ -51,6 +51,15 @@ TEST(Standstill, NamesRobotsThatAreGoneWhenNoneIsLeft) {
   EXPECT_THAT(run.say(kBegan + 12s, world), Optional(Not(HasSubstr("is gone")))) << "the third one goes on";
 }
 
+TEST(Standstill, TellsWhatHoldsTheWorldInItsOwnWords) {
+  WorldStatus world;
+  world.members(2);
+  world.held("observer viewer lives but handles no more steps");
+  Standstill run{kBegan};
+  run.note_world(kBegan + 6s);
+  EXPECT_EQ(run.say(kBegan + 6s, world), "no step for 6 s: observer viewer lives but handles no more steps");
+}
+
 TEST(Standstill, TellsAPauseFromARobotThatIsMissing) {
   WorldStatus world;
   world.missing({"robot 2"});
