@@ -147,13 +147,16 @@ int run(const Plan& plan) {
 int main(int argc, char** argv) {
   caravan::test::Plan plan;
   CLI::App app{"A stranger in the domain of a run"};
-  app.add_option("--domain", plan.domain)->required();
-  app.add_option("--seed", plan.seed);
-  app.add_option("--robots", plan.robots);
-  app.add_option("--seconds", plan.seconds);
-  app.add_option("--rate", plan.rate)->check(CLI::PositiveNumber);
-  app.add_option("--role", plan.role);
-  app.add_option("--transport", plan.transport);
+  app.add_option("--domain", plan.domain, "DDS domain of the run")->required();
+  app.add_option("--seed", plan.seed, "Of what it writes")->capture_default_str();
+  app.add_option("--robots", plan.robots, "Robots of the run, whose topics it writes")->capture_default_str();
+  app.add_option("--seconds", plan.seconds, "For so long, once the run has begun")->capture_default_str();
+  app.add_option("--rate", plan.rate, "Samples a second")->check(CLI::PositiveNumber)->capture_default_str();
+  app.add_option("--role", plan.role, "What it says to be, such as \"robot_agent 1\" or world_server")
+      ->capture_default_str();
+  app.add_option("--transport", plan.transport, "What DDS goes by: shm, udp or a profile (FILE.xml)")
+      ->check(runtime::complaint_about_transport)
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   return caravan::test::run(plan);
 }

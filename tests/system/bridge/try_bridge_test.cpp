@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // deploy/try_bridge as a newcomer calls it, in a tree whose build is the tests'. In a network namespace of
-// its own, because its TCP ports are fixed.
+// its own, in which nobody holds the domain that the test holds outside.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -18,6 +18,7 @@ using namespace std::chrono_literals;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 constexpr std::chrono::milliseconds kRunPatience{100'000};
 
@@ -64,6 +65,7 @@ TEST_F(TryBridge, DrivesTheRobotUntilCtrlCAndLeavesNothingBehind) {
       script.prints("build_preset release world_server robot_agent pioneer_bridge arcos_robot", kPatience));
   EXPECT_TRUE(script.prints("robot connected: caravan_1, Pioneer p3dx", kRunPatience)) << script.output();
   EXPECT_TRUE(script.prints("started robots=1", kRunPatience)) << script.output();
+  EXPECT_THAT(script.output(), Not(HasSubstr("tcp:127.0.0.1:8101"))) << "it takes ports that are free";
   script.signal(SIGINT);
   EXPECT_EQ(script.wait(kRunPatience), 130) << script.output();
   EXPECT_THAT(script.output(), AllOf(HasSubstr("\nstopping\n"), HasSubstr("\nlogs         /")));
@@ -87,6 +89,13 @@ TEST_F(TryBridge, SaysWhichProgramHasEndedByItself) {
   EXPECT_EQ(script.wait(kRunPatience), 1);
   EXPECT_THAT(script.output(), HasSubstr("arcos_robot has ended by itself"));
   expect_nothing_left();
+}
+
+TEST_F(TryBridge, TellsItsOptions) {
+  deploy::Process script{try_bridge("--help"), folder_ / "script.log"};
+  EXPECT_EQ(script.wait(kPatience), 0);
+  EXPECT_THAT(script.output(),
+              AllOf(HasSubstr("usage: deploy/try_bridge [--domain N]"), HasSubstr("Ctrl-C")));
 }
 
 TEST_F(TryBridge, RefusesWhatItDoesNotKnow) {
