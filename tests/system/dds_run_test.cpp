@@ -18,6 +18,7 @@ namespace caravan::test {
 namespace {
 
 using namespace std::chrono_literals;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 constexpr std::chrono::milliseconds kRunPatience{100'000};
@@ -125,6 +126,21 @@ TEST_F(DdsRun, AnInterruptAtAnyMomentStopsEverybody) {
     EXPECT_EQ(caravan.wait(10s), 130) << caravan.output();
     expect_nothing_left();
   }
+}
+
+/// The last status of a radio that has ended is not waited for.
+TEST_F(DdsRun, ThatLostItsRadioEndsAsSoonAsItsWorldHasFinished) {
+  Process caravan{run({"--items", "1000", "--max-time", "300"}), folder_ / "caravan.log"};
+  const auto has = [this](const char* file, const std::string& text) {
+    return eventually([&] { return read_file(folder_ / "out" / file).find(text) != std::string::npos; },
+                      kRunPatience);
+  };
+  ASSERT_TRUE(has("tracks.csv", "\n10.000,")) << caravan.output();
+  ASSERT_EQ(kill(pid_of("radio_emulator"), SIGKILL), 0);
+  ASSERT_TRUE(has("logs/world_server.log", "finished sim_s=300")) << caravan.output();
+  EXPECT_EQ(caravan.wait(5s), 1) << "half of what it would be waited for";
+  EXPECT_THAT(caravan.output(), HasSubstr("radio_emulator (pid "));
+  expect_nothing_left();
 }
 
 TEST_F(DdsRun, WithoutItsRadioTheSwarmStopsExchangingAndNothingElse) {
