@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "runtime/host/domain_lock.hpp"
 #include "runtime/process/run_process.hpp"
 #include "world_server/shell/world_shell.hpp"
 
@@ -20,6 +21,7 @@ int main(int argc, char** argv) {
         world::WorldConfig config = world::load_world_config(runtime::TomlDocument::load(start.scenario));
         config.bodies = world::read_bodies(bodies, config);
         if (start.check_only) return runtime::kDone;
+        const runtime::DomainLock lock{start.domain};
         const runtime::BusConfig bus{.role = "world_server",
                                      .domain = start.domain,
                                      .lease_s = start.lease_s,

@@ -41,7 +41,7 @@ bool is_in_use(std::uint32_t domain) {
 
 [[noreturn]] void refuse(std::uint32_t domain, const std::string& why) {
   throw StartError{"DDS domain " + std::to_string(domain) + ": " + why +
-                   "; choose another --domain, or none to be given a free one"};
+                   "; end that one or choose another --domain"};
 }
 
 }  // namespace
@@ -70,7 +70,8 @@ void DomainLock::take(std::uint32_t wanted) {
   if (!lock(wanted)) {
     const auto holder = holder_of(wanted);
     if (holder && holder->pid == getppid()) return;
-    refuse(wanted, holder ? "another run holds it (" + to_text(*holder) + ")" : "another run holds it");
+    refuse(wanted, holder ? "another run or world holds it (" + to_text(*holder) + ")"
+                          : "another run or world holds it");
   }
   if (const auto other = other_user_in(wanted)) {
     unlock();

@@ -7,7 +7,8 @@
 
 namespace caravan::runtime {
 
-/// A DDS domain that no other run on this machine uses, held until destruction.
+/// A DDS domain that no other run on this machine uses, nor a world that was started by hand; held until
+/// destruction.
 ///
 /// Dead processes' ports in it are removed first. The lock is a local socket in the kernel's own name space:
 /// it is in no folder, counts for all users, and ends with the process, however that ends. A second one tells

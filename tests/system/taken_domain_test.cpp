@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build_paths.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan::test {
@@ -71,7 +72,7 @@ TEST_F(TakenDomain, IsRefusedToARunAndToADeploymentNamingWhoHoldsItAndNothingIsL
     const Ended second = end_of(line);
     EXPECT_EQ(second.code, 2);
     EXPECT_THAT(second.said,
-                AllOf(HasSubstr("DDS domain " + domain_), HasSubstr("another run holds it"),
+                AllOf(HasSubstr("DDS domain " + domain_), HasSubstr("another run or world holds it"),
                       HasSubstr("pid " + std::to_string(first_.pid()) + ","), HasSubstr("since ")));
     EXPECT_EQ(std::count(second.said.begin(), second.said.end(), '\n'), 1) << second.said;
     EXPECT_TRUE(!std::filesystem::exists(folder_ / "second") ||
@@ -97,6 +98,35 @@ TEST_F(TakenDomain, OfAnotherUserIsToldToBeThatUsers) {
   EXPECT_EQ(run.code, 2);
   EXPECT_THAT(run.said, HasSubstr("user root"));
   EXPECT_FALSE(std::filesystem::exists("/tmp/nobodys"));
+}
+
+/// In a network namespace of their own nobody else's locks count.
+TEST(WorldByHand, HoldsItsDomainAgainstAnotherWorld) {
+  const ScratchFolder folder;
+  const std::uint32_t domain = 7;
+  const std::string world = std::string{CARAVAN_BIN_DIR} + "/world_server --domain " +
+                            std::to_string(domain) + " --scenario " + scenario("small.toml").string();
+  const auto in_namespace = [](const std::string& script) {
+    return std::vector<std::string>{
+        "/usr/bin/unshare", "--map-root-user", "--net", "/bin/bash", "-c", script};
+  };
+  if (deploy::Process probe{in_namespace("true"), folder / "probe.log"}; probe.wait(kPatience) != 0)
+    GTEST_SKIP() << "no network namespaces here: " << probe.output();
+  deploy::Process two{
+      in_namespace(world + " & a=$!; " + world + " & b=$!; wait -n; code=$?; kill $a $b; wait; exit $code"),
+      folder / "two.log"};
+  EXPECT_EQ(two.wait(kPatience), 2) << two.output();
+  EXPECT_THAT(two.output(), HasSubstr("DDS domain 7: another run or world holds it (pid "));
+}
+
+TEST(WorldByHand, IsRefusedTheDomainOfARun) {
+  const runtime::DomainLock lock{std::nullopt};
+  const ScratchFolder folder;
+  const std::string world = std::string{CARAVAN_BIN_DIR} + "/world_server --domain " +
+                            std::to_string(lock.domain()) + " --scenario " + scenario("small.toml").string();
+  deploy::Process no_child_of_the_run{{"/bin/sh", "-c", world + "; exit $?"}, folder / "world.log"};
+  EXPECT_EQ(no_child_of_the_run.wait(kPatience), 2) << no_child_of_the_run.output();
+  EXPECT_THAT(no_child_of_the_run.output(), HasSubstr("(pid " + std::to_string(getpid()) + ","));
 }
 
 }  // namespace
