@@ -144,78 +144,49 @@ class LeftPeers : public ::testing::Test {
   const std::uint32_t domain_ = lock_.domain();
 };
 
-TEST_F(LeftPeers, CostNothingWhenTheyComeAndGo) {
-  Peer resident{domain_};
-  Peer peer{domain_};
-  resident.await_other();
-  peer.kill(SIGTERM);
-  expect_cheap(resident);
-}
+/// How a peer comes and goes.
+struct Way {
+  const char* name;
+  bool resident_is_suspended;  // while it goes
+  bool comes_meanwhile;
+  int goes;  // by this signal
+};
 
-TEST_F(LeftPeers, CostNothingWhenTheyGoWhileTheResidentIsSuspended) {
-  Peer resident{domain_, 60.0};
-  Peer peer{domain_, 60.0};
-  resident.await_other();
-  resident.signal(SIGSTOP);
-  peer.kill(SIGTERM);
-  resident.signal(SIGCONT);
-  expect_cheap(resident);
-}
+class LeftPeersInEveryWay : public LeftPeers, public ::testing::WithParamInterface<Way> {};
 
-TEST_F(LeftPeers, CostNothingWhenTheyComeAndGoWhileTheResidentIsSuspended) {
-  Peer resident{domain_, 60.0};
-  Peer other{domain_, 60.0};
+TEST_P(LeftPeersInEveryWay, CostNothing) {
+  const Way& way = GetParam();
+  const double lease_s = way.resident_is_suspended ? 60.0 : 5.0;
+  Peer resident{domain_, lease_s};
+  Peer first{domain_, lease_s};
   resident.await_other();
-  other.await_other();
-  resident.signal(SIGSTOP);
-  Peer peer{domain_, 60.0};
-  other.await_other();
-  peer.kill(SIGTERM);
-  resident.signal(SIGCONT);
-  expect_cheap(resident);
-}
-
-TEST_F(LeftPeers, CostNothingWhenTheyComeAndAreKilledWhileTheResidentIsSuspended) {
-  Peer resident{domain_, 60.0};
-  Peer other{domain_, 60.0};
-  resident.await_other();
-  other.await_other();
-  resident.signal(SIGSTOP);
-  Peer peer{domain_, 60.0};
-  other.await_other();
+  first.await_other();
+  if (way.resident_is_suspended) resident.signal(SIGSTOP);
+  std::optional<Peer> second;
+  if (way.comes_meanwhile) {
+    second.emplace(domain_, lease_s);
+    first.await_other();
+  }
+  Peer& peer = second ? *second : first;
   leftovers_.note(peer.pid());
-  peer.kill(SIGKILL);
+  if (way.goes == SIGSTOP) {
+    peer.signal(SIGSTOP);
+  } else {
+    peer.kill(way.goes);
+  }
   resident.signal(SIGCONT);
   expect_cheap(resident);
 }
 
-TEST_F(LeftPeers, CostNothingWhenTheyAreKilled) {
-  Peer resident{domain_};
-  Peer peer{domain_};
-  resident.await_other();
-  leftovers_.note(peer.pid());
-  peer.kill(SIGKILL);
-  expect_cheap(resident);
-}
-
-TEST_F(LeftPeers, CostNothingWhenTheyAreKilledWhileTheResidentIsSuspended) {
-  Peer resident{domain_, 60.0};
-  Peer peer{domain_, 60.0};
-  resident.await_other();
-  resident.signal(SIGSTOP);
-  leftovers_.note(peer.pid());
-  peer.kill(SIGKILL);
-  resident.signal(SIGCONT);
-  expect_cheap(resident);
-}
-
-TEST_F(LeftPeers, CostNothingWhenTheyAreSuspended) {
-  Peer resident{domain_};
-  Peer peer{domain_};
-  resident.await_other();
-  peer.signal(SIGSTOP);
-  expect_cheap(resident);
-}
+INSTANTIATE_TEST_SUITE_P(
+    Way, LeftPeersInEveryWay,
+    ::testing::Values(Way{"GoneCleanly", false, false, SIGTERM}, Way{"Killed", false, false, SIGKILL},
+                      Way{"Suspended", false, false, SIGSTOP},
+                      Way{"GoneWhileTheResidentIsSuspended", true, false, SIGTERM},
+                      Way{"KilledWhileTheResidentIsSuspended", true, false, SIGKILL},
+                      Way{"ComeAndGoneWhileTheResidentIsSuspended", true, true, SIGTERM},
+                      Way{"ComeAndKilledWhileTheResidentIsSuspended", true, true, SIGKILL}),
+    [](const auto& way) { return std::string{way.param.name}; });
 
 // Its place is still there when the resident looks for peers, its port is not.
 TEST_F(LeftPeers, CostNothingWhenTheyGoInTheMomentInWhichTheResidentStarts) {
