@@ -28,7 +28,7 @@ TEST(Nmea, ReadsAPosition) {
   EXPECT_NEAR(gga.longitude_deg, 11.0 + 31.0 / 60.0, 1e-12);
   EXPECT_EQ(gga.quality, 1U);
   EXPECT_EQ(gga.satellites, 8U);
-  EXPECT_DOUBLE_EQ(gga.hdop, 0.9);
+  EXPECT_EQ(gga.hdop, 0.9);
 }
 
 TEST(Nmea, ReadsSpeedAndCourse) {
