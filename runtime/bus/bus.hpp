@@ -26,21 +26,22 @@ struct TransportDescriptorInterface;
 namespace caravan::runtime {
 
 struct BusConfig {
-  std::string role;  ///< stated in discovery; its first word decides which topics others read of this process
+  std::string
+      role;  ///< stated in discovery; its first word decides which topics others accept from this process
   std::uint32_t domain = 0;
-  double lease_s = 5.0;  ///< a participant silent for so long is gone
+  double lease_s = 5.0;  ///< a participant silent for this long is gone
   Transport transport = Transport::kSharedMemory;
-  /// With kUdp: one around loopback_udp() in its place; null: just that.
+  /// With kUdp: a transport that replaces loopback_udp() and wraps it; null: loopback_udp() itself.
   std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> around_udp = {};
 };
 
-/// Somebody came, left, or began to write or read a topic, or writes it no longer. Delivered on a discovery
-/// thread: post it to the thread that owns the state.
+/// A participant joined or left, or started to write or read a topic, or stopped writing it. Delivered on a
+/// discovery thread: post it to the thread that owns the state.
 struct Discovery {
   enum class Kind : std::uint8_t { kJoined, kGone, kWriterFound, kReaderFound, kWriterGone };
   Kind kind = Kind::kJoined;
   ParticipantId participant;
-  Identity identity;  ///< of the participant, where known
+  Identity identity;  ///< of the participant, if known
   std::string topic;  ///< for a writer or reader
 };
 
@@ -49,7 +50,7 @@ class Writer;
 
 /// One DDS participant. All reader callbacks run on its one receiving thread.
 ///
-/// All entities are made before samples flow. close() ends all callbacks, then deletes everything; the
+/// All entities are created before samples flow. close() ends all callbacks, then deletes everything; the
 /// destructor calls it.
 /// @throws StartError when DDS refuses an entity
 class Bus {
@@ -64,22 +65,23 @@ class Bus {
   [[nodiscard]] const ParticipantId& id() const;
   [[nodiscard]] const Identity& identity() const;
 
-  /// @tparam Support makes bytes of samples
+  /// @tparam Support serialises samples
   /// @param robot fills the "<i>" of the topic's name
   template <typename PubSubType, typename Support = CheckedType<PubSubType>>
   [[nodiscard]] Writer<PubSubType> writer(const idl::Topic& topic, std::uint32_t robot = 0);
 
-  /// Calls `handle(sample, sender)` for each sample as it arrives, when its bytes are of the type and its
-  /// writer may claim the topic (Sender::claim is not kNone). All others are refused: counted, and told once.
+  /// Calls `handle(sample, sender)` for each sample as it arrives, if its bytes are of the type and its
+  /// writer may claim the topic (Sender::claim is not kNone). All others are refused: counted, and logged
+  /// once.
   template <typename PubSubType, typename Handler>
   void reader(const idl::Topic& topic, std::uint32_t robot, Handler handle);
 
-  /// A sample does not count because another participant holds the role. To be called by whoever keeps the
+  /// Counts a sample as refused because another participant holds the role. Called by the owner of the
   /// Tenure.
   void refuse(const ParticipantId& sender, const idl::Topic& topic, std::uint32_t robot = 0);
-  /// `holder`, whose samples were refused until now, holds the role.
+  /// `holder`, whose samples were refused until now, has become the holder of the role.
   void forgive(const ParticipantId& holder);
-  /// Whose samples were refused.
+  /// Participants whose samples were refused.
   [[nodiscard]] std::vector<Stranger> strangers() const;
 
   void close();
@@ -104,7 +106,7 @@ class Writer {
   using Sample = typename PubSubType::type;
   Writer() = default;
   explicit Writer(eprosima::fastdds::dds::DataWriter* writer) : writer_{writer} {}
-  /// False when DDS did not take the sample; the caller counts or logs it.
+  /// False when DDS did not accept the sample; the caller counts or logs it.
   bool write(Sample& sample);
 
  private:

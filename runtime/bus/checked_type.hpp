@@ -11,19 +11,19 @@
 namespace caravan::runtime {
 
 namespace detail {
-/// Why the sample that this thread has read last is refused; none: it is good.
+/// Why the last sample read on this thread is refused; none: it is valid.
 [[nodiscard]] std::optional<Refusal>& refusal_of_this_thread();
 }  // namespace detail
 
-/// No sample of ours is so long: a path of 65535 points has half of that.
+/// None of our samples is that long: a path of 65535 points has half of it.
 inline constexpr std::uint32_t kMostBytes = 2U << 20U;
 
-/// Generated type support that takes any bytes.
+/// Generated type support that accepts any bytes.
 ///
 /// That of fastddsgen lets exceptions through (a boolean that is neither 0 nor 1, no memory), on a thread of
-/// DDS, where they end the process. Here such a sample is empty, and refusal_of_this_thread() says why: DDS
-/// is told that all went well, because what it does with a sample that failed differs between its versions.
-/// Fast CDR compares the length of each sequence with the bytes that are left before it takes memory.
+/// DDS, where they end the process. Here such a sample is empty, and refusal_of_this_thread() gives the
+/// reason. DDS gets a success, because its reaction to a failed sample differs between its versions. Fast CDR
+/// compares the length of each sequence with the remaining bytes before it allocates memory.
 template <typename PubSubType>
 class CheckedType final : public PortableType<PubSubType> {
  public:

@@ -15,19 +15,19 @@
 
 namespace caravan::runtime {
 
-/// Turns Fast DDS's discovery callbacks into Discovery values, and knows who is there.
+/// Turns Fast DDS's discovery callbacks into Discovery values, and knows which participants are present.
 ///
-/// A writer or reader of one of the topics of idl/topics.hpp that does not match ours is not reported. When
-/// this process reads or writes that topic it is logged, with what it lacks.
+/// A writer or reader of one of the topics of idl/topics.hpp that does not match ours is not reported. If
+/// this process reads or writes that topic, the mismatch is logged.
 class DiscoveryListener final : public DiscoveryEvents {
  public:
   explicit DiscoveryListener(Bus::DiscoveryCallback discovered) : discovered_{std::move(discovered)} {}
 
   enum class End : std::uint8_t { kWriter, kReader };
-  /// This process has such an end of a topic.
+  /// Registers an own writer or reader of a topic.
   void has(End end, const std::string& topic);
 
-  /// None for a participant that is not known, or no longer.
+  /// None for a participant that is unknown or has left.
   [[nodiscard]] std::optional<Identity> identity_of(const ParticipantId& id) const;
   /// No callback is running or will run after this.
   void mute();
@@ -57,7 +57,8 @@ class DiscoveryListener final : public DiscoveryEvents {
   Bus::DiscoveryCallback discovered_;
   std::map<ParticipantId, Identity> known_;
   std::set<std::pair<End, std::string>> ours_;
-  std::vector<std::pair<std::pair<End, std::string>, std::string>> untold_;  // what lacks what, by our end
+  std::vector<std::pair<std::pair<End, std::string>, std::string>>
+      untold_;  // mismatches found before has(), by our end
 };
 
 }  // namespace caravan::runtime

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Fast DDS 2.9; included by fastdds_version.hpp alone.
+/// Fast DDS 2.9; included only by fastdds_version.hpp.
 #pragma once
 
 #include <fastdds/rtps/attributes/RTPSParticipantAttributes.h>
@@ -27,11 +27,11 @@
 #include "runtime/bus/fastdds_common.hpp"
 
 namespace caravan::runtime {
-/// 2.9 has its transports in one namespace and all else in the other.
+/// 2.9 has its transports in one namespace and everything else in the other.
 namespace rtps {
 using namespace eprosima::fastdds::rtps;   // NOLINT(google-build-using-namespace)
 using namespace eprosima::fastrtps::rtps;  // NOLINT(google-build-using-namespace)
-// Of these the other namespace has aliases, which clang does not take for the same types.
+// The other namespace has aliases of these, which clang does not treat as the same types.
 using eprosima::fastdds::rtps::LocatorsIterator;
 using eprosima::fastdds::rtps::TransportDescriptorInterface;
 using eprosima::fastdds::rtps::TransportInterface;
@@ -42,15 +42,15 @@ using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
 
 inline constexpr const char* kDdsVersion = FASTRTPS_VERSION_STR;
 inline constexpr const char* kDdsLibrary = "libfastrtps";
-/// The names of its files in /dev/shm begin with it.
+/// Prefix of its files in /dev/shm.
 inline constexpr const char* kSharedMemoryMark = "fastrtps_";
-/// Whether it reads no further at a port where it finds a message whose memory is gone.
+/// Whether it stops reading a port at a message whose segment is gone.
 inline constexpr bool kStopsAtLostSegments = true;
-/// The profile of deploy/fastdds that asks a Discovery Server.
+/// The profile in deploy/fastdds that uses a Discovery Server.
 inline constexpr const char* kDiscoveryProfile = "discovery.xml";
 
 using Duration = eprosima::fastrtps::Duration_t;
-/// What a transport is given to send.
+/// The bytes that a transport is to send.
 using OutgoingBytes = const rtps::octet*;
 
 using Payload = rtps::SerializedPayload_t;
@@ -67,20 +67,20 @@ inline rtps::LocatorList server_locators(const rtps::BuiltinAttributes& discover
   return all;
 }
 
-/// Before the first participant.
+/// Call before the first participant is created.
 inline void turn_intraprocess_delivery_off() {
   eprosima::fastrtps::LibrarySettingsAttributes settings;
   settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
   eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
 }
 
-/// 2.9 sends them as they are.
+/// Nothing to do: 2.9 sends messages whole.
 inline std::shared_ptr<rtps::TransportDescriptorInterface> with_whole_messages(
     const std::shared_ptr<rtps::TransportDescriptorInterface>& transport) {
   return transport;
 }
 
-/// Of a writer or a reader.
+/// QoS of a writer or a reader, from its discovery data.
 template <typename Data>
 EndpointQos endpoint_qos(const Data& data) {
   EndpointQos qos;
@@ -93,7 +93,7 @@ EndpointQos endpoint_qos(const Data& data) {
   return qos;
 }
 
-/// Generated type support whose virtual functions have one form in all versions.
+/// Generated type support whose virtual functions have the same signature in all versions.
 template <typename PubSubType>
 class PortableType : public PubSubType {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Fast DDS 3.1; included by fastdds_version.hpp alone.
+/// Fast DDS 3.1; included only by fastdds_version.hpp.
 #pragma once
 
 #include <cstdint>
@@ -29,11 +29,11 @@ namespace rtps = eprosima::fastdds::rtps;
 
 inline constexpr const char* kDdsVersion = FASTDDS_VERSION_STR;
 inline constexpr const char* kDdsLibrary = "libfastdds";
-/// The names of its files in /dev/shm begin with it.
+/// Prefix of its files in /dev/shm.
 inline constexpr const char* kSharedMemoryMark = "fastdds_";
-/// Whether it reads no further at a port where it finds a message whose memory is gone.
+/// Whether it stops reading a port at a message whose segment is gone.
 inline constexpr bool kStopsAtLostSegments = false;
-/// The profile of deploy/fastdds that asks a Discovery Server.
+/// The profile in deploy/fastdds that uses a Discovery Server.
 inline constexpr const char* kDiscoveryProfile = "discovery_3.xml";
 
 using Duration = dds::Duration_t;
@@ -47,21 +47,21 @@ inline const rtps::LocatorList& server_locators(const rtps::BuiltinAttributes& d
   return discovery.discovery_config.m_DiscoveryServers;
 }
 
-/// Before the first participant.
+/// Call before the first participant is created.
 inline void turn_intraprocess_delivery_off() {
   eprosima::fastdds::LibrarySettings settings;
   settings.intraprocess_delivery = eprosima::fastdds::INTRAPROCESS_OFF;
   dds::DomainParticipantFactory::get_instance()->set_library_settings(settings);
 }
 
-/// @pre it is shared memory
+/// @pre `transport` is shared memory
 inline std::shared_ptr<rtps::TransportDescriptorInterface> with_whole_messages(
     const std::shared_ptr<rtps::TransportDescriptorInterface>& transport) {
   return std::make_shared<WholeMessagesDescriptor>(
       dynamic_cast<const rtps::SharedMemTransportDescriptor&>(*transport));
 }
 
-/// Of a writer or a reader.
+/// QoS of a writer or a reader, from its discovery data.
 template <typename Data>
 EndpointQos endpoint_qos(const Data& data) {
   EndpointQos qos;
@@ -74,7 +74,7 @@ EndpointQos endpoint_qos(const Data& data) {
   return qos;
 }
 
-/// Generated type support whose virtual functions have one form in all versions.
+/// Generated type support whose virtual functions have the same signature in all versions.
 template <typename PubSubType>
 class PortableType : public PubSubType {
  public:
@@ -82,7 +82,7 @@ class PortableType : public PubSubType {
     return PubSubType::serialize(sample, to, dds::XCDR_DATA_REPRESENTATION);
   }
   virtual bool read(Payload& from, void* sample) {
-    // Fast CDR 2 takes a sample that ends between two members for a whole one.
+    // Fast CDR 2 accepts a sample that ends between two members as complete.
     return PubSubType::deserialize(from, sample) && size_of(sample) <= from.length;
   }
   virtual std::uint32_t size_of(const void* sample) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What fastdds_2.hpp and fastdds_3.hpp share.
+/// Code shared by fastdds_2.hpp and fastdds_3.hpp.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace caravan::runtime {
 namespace dds = eprosima::fastdds::dds;
 
-/// Of a participant: name and value.
+/// Properties of a participant: name and value.
 using Properties = std::vector<std::pair<std::string, std::string>>;
 
 template <typename Found>
@@ -35,7 +35,7 @@ inline bool has_xcdr1(const dds::DataRepresentationQosPolicy& representation) {
   return all.empty() || std::find(all.begin(), all.end(), dds::XCDR_DATA_REPRESENTATION) != all.end();
 }
 
-/// What DDS finds of other participants; called on its threads.
+/// Discovery events of other participants; called on DDS threads.
 template <typename Guid>
 class DiscoveryEventsOf : public dds::DomainParticipantListener {
  protected:

@@ -6,7 +6,7 @@
 
 namespace caravan::runtime {
 
-/// What a participant says of itself in discovery; carried in its DDS name.
+/// The identity that a participant states in discovery; carried in its DDS name.
 struct Identity {
   std::string role;  ///< "world_server", "radio_emulator", "robot_agent 3", ...
   std::string host;
@@ -15,14 +15,13 @@ struct Identity {
   bool operator==(const Identity&) const = default;
 };
 
-/// This process, now.
+/// Identity of this process.
 [[nodiscard]] Identity own_identity(const std::string& role);
 [[nodiscard]] std::string to_name(const Identity& identity);
-/// A stranger's name, one that to_name() did not make, becomes the role of an identity that is otherwise
-/// empty.
+/// Parses a name made by to_name(). Any other name becomes the role of an identity that is otherwise empty.
 [[nodiscard]] Identity to_identity(const std::string& name);
-/// What others say of themselves, fit for a log: what is not printable ASCII becomes ?, and it
-/// is cut off after 80.
+/// A participant's text, safe for a log: replaces anything but printable ASCII with ?, and cuts it off after
+/// 80 characters.
 [[nodiscard]] std::string printable(const std::string& text);
 
 }  // namespace caravan::runtime

@@ -6,14 +6,14 @@
 
 namespace caravan::runtime {
 
-/// Takes a name on this machine that one process at a time can have, whoever its user is: the abstract name
-/// of a local socket (AF_UNIX), which is in no folder. The kernel takes it away when the process has ended.
+/// Takes a name that only one process on this machine can have at a time, whoever its user is: the abstract
+/// name of a local socket (AF_UNIX), which is in no folder. The kernel removes it when the process ends.
 ///
-/// @return what holds it until it is closed; -1: another process has the name
-/// @throws StartError when there are no local sockets
+/// @return the descriptor that holds the name until it is closed; -1: another process has the name
+/// @throws StartError when local sockets are not available
 [[nodiscard]] int hold_local_name(const std::string& name);
 
-/// The names that are held now and begin with `beginning`, without it.
+/// The names currently held that begin with `beginning`, without that prefix.
 [[nodiscard]] std::vector<std::string> local_names(const std::string& beginning);
 
 }  // namespace caravan::runtime

@@ -17,15 +17,15 @@ struct ParticipantId {
   auto operator<=>(const ParticipantId&) const = default;
 };
 
-/// Who wrote a sample, and what it may claim of the topic that it wrote to.
+/// The writer of a sample, and its claim to write the topic.
 struct Sender : ParticipantId {
   Claim claim = Claim::kNone;
 };
 
 /// The GUID prefix as DDS tools print it: 01.0f.3a. and so on.
 [[nodiscard]] std::string to_text(const ParticipantId& id);
-/// One of our processes by role, process id and host; any other participant by its GUID and by what it says
-/// of itself.
+/// One of our processes by role, process id and host; any other participant by its GUID and its stated
+/// identity.
 [[nodiscard]] std::string to_text(const ParticipantId& id, const Identity& identity);
 
 }  // namespace caravan::runtime

@@ -8,24 +8,24 @@
 
 namespace caravan::runtime {
 
-/// The port of shared memory at which newcomers find a process, and the means to find those that are there.
+/// The shared-memory port at which new processes reach this one, and the discovery of the ports of others.
 ///
-/// Left to itself DDS has all processes listen for newcomers at one port, where a killed one leaves a place
-/// from which nobody reads any more; it fills up, and then hangs whoever comes. So each listens at a port of
-/// its own, whose number is in the name of a local socket. The kernel takes the name away as soon as the
-/// process has ended, however it did.
+/// By default all DDS processes listen for new ones at one port. A killed process leaves a place there that
+/// nobody reads; it fills up, and then a joining process hangs. Here each process listens at its own port,
+/// whose number is in the name of a local socket. The kernel removes the name as soon as the process has
+/// ended, however it ended.
 class Place {
  public:
-  /// @throws StartError when there are no local sockets
+  /// @throws StartError when local sockets are not available
   explicit Place(std::uint32_t domain);
   ~Place();
   Place(const Place&) = delete;
   Place& operator=(const Place&) = delete;
 
-  /// Has DDS listen at this place and announce itself at those of the others that are there.
+  /// Makes DDS listen at this place and announce itself at those of the other processes.
   ///
-  /// Of two that start in the same moment at least one knows of the other; the answer to its announcement
-  /// makes it known there too. @param own  of the participant
+  /// Of two processes that start at the same moment at least one finds the other; the answer to its
+  /// announcement introduces it there too. @param own  GUID of the participant
   void settle(rtps::BuiltinAttributes& discovery, const rtps::GUID_t& own) const;
 
  private:
@@ -34,7 +34,7 @@ class Place {
   int held_ = -1;  // the socket
 };
 
-/// Ports of all places of the domain: one for each process that is in it by shared memory, whoever's it is.
+/// Ports of all places of the domain: one for each process in it over shared memory, of any user.
 [[nodiscard]] std::vector<std::uint32_t> places_in(std::uint32_t domain);
 
 }  // namespace caravan::runtime

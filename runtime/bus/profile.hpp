@@ -8,13 +8,13 @@
 
 namespace caravan::runtime {
 
-/// Name of the participant profile that a file for `--transport` has to have.
+/// Name of the participant profile that a file for `--transport` must contain.
 inline constexpr const char* kProfileName = "caravan";
 
 /// The participant profile of a Fast DDS XML file.
 ///
-/// DDS keeps what it has read for the life of the process: only one file may be used in one process.
-/// @throws StartError when it cannot be read or has no such profile; DDS has said on standard error why
+/// DDS keeps what it has read until the process ends: a process may use only one file.
+/// @throws StartError when it cannot be read or has no such profile; DDS prints the reason to standard error
 [[nodiscard]] dds::DomainParticipantQos read_profile(const std::filesystem::path& file);
 
 [[nodiscard]] bool is_shared_memory(const std::shared_ptr<rtps::TransportDescriptorInterface>& transport);

@@ -11,11 +11,11 @@ namespace caravan::runtime {
 /// Whether a participant's transports may send.
 using SendGate = std::shared_ptr<std::atomic<bool>>;
 
-/// Puts each transport but shared memory behind one that sends nothing until the gate is opened.
+/// Wraps each transport except shared memory in one that sends nothing until the gate is opened.
 ///
-/// DDS announces a participant a moment before it begins to hear: who answers at once is not heard, and
-/// takes the newcomer for one that knows it already.
-/// @return the gate, closed; to be opened when the participant is enabled
+/// DDS announces a participant a moment before it can receive. The answer of a fast peer is then lost, and
+/// the peer believes that the new participant already knows it.
+/// @return the gate, closed; open it when the participant is enabled
 [[nodiscard]] SendGate hold_back_network(dds::DomainParticipantQos& qos);
 
 }  // namespace caravan::runtime

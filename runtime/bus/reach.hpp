@@ -9,7 +9,7 @@
 
 namespace caravan::runtime {
 
-/// What a transport needs of the machine.
+/// What a transport requires of the machine.
 struct Reach {
   struct Server {
     std::string address;
@@ -18,8 +18,8 @@ struct Reach {
   };
   bool shared_memory = false;
   bool network = false;                 ///< UDP
-  std::vector<std::string> interfaces;  ///< addresses that UDP is bound to; empty: to all
-  std::vector<Server> servers;          ///< Discovery Servers that are asked
+  std::vector<std::string> interfaces;  ///< addresses that UDP is bound to; empty: all
+  std::vector<Server> servers;          ///< Discovery Servers in use
 };
 
 /// @throws StartError when it is a profile that cannot be read
@@ -27,7 +27,7 @@ struct Reach {
 
 /// Version of the DDS library that the program was built with.
 [[nodiscard]] std::string dds_version();
-/// What the name of its file begins with.
+/// Prefix of the library's file name.
 [[nodiscard]] std::string dds_library();
 
 }  // namespace caravan::runtime

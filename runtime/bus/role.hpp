@@ -12,10 +12,10 @@ namespace caravan::runtime {
 /// The role that a participant states in its name; none: it is not one of our processes.
 [[nodiscard]] std::optional<idl::Party> stated_role(const Identity& identity);
 
-/// What a participant may claim of the writing of a topic.
+/// A participant's claim to write a topic.
 enum class Claim : std::uint8_t {
   kNone,  ///< its samples are refused
-  kWeak,  ///< it states no role: a bridge of any make. Gives way to a process that states that it is one
+  kWeak,  ///< it states no role: a bridge of any make. Yields to a process that states the role
   kFull   ///< it states the role, or is the agent of a robot, which may be any program
 };
 

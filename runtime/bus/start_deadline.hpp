@@ -8,9 +8,9 @@
 
 namespace caravan::runtime {
 
-/// While it lives, DDS is joining a domain. When that takes longer than 15 s the process says so and ends
-/// with exit code 2: a port that a killed process left half-made hangs DDS for ever, and there is no way to
-/// interrupt it.
+/// Guards the time in which DDS joins a domain. When that takes longer than 15 s the process reports it and
+/// ends with exit code 2: a port that a killed process left half-made hangs DDS without end, and there is no
+/// way to interrupt it.
 class StartDeadline {
  public:
   explicit StartDeadline(std::uint32_t domain);

@@ -12,7 +12,7 @@
 
 namespace caravan::runtime {
 
-/// Why a sample does not count.
+/// Why a sample was refused.
 enum class Refusal : std::uint8_t {
   kMalformed,  ///< its bytes are not of the type
   kTooLong,
@@ -23,17 +23,17 @@ enum class Refusal : std::uint8_t {
 /// One participant whose samples were refused.
 struct Stranger {
   std::string who;
-  std::set<std::string> topics;  ///< the first of them
-  std::uint64_t refused = 0;     ///< samples
+  std::set<std::string> topics;  ///< the first few of them
+  std::uint64_t refused = 0;     ///< number of refused samples
 };
 
-/// Participants whose samples were refused. Bounded: when there are too many, all further ones are one.
+/// Participants whose samples were refused. Bounded: above a limit, all further ones share one entry.
 ///
 /// Logs each of them once for each reason. Thread-safe.
 class Strangers {
  public:
   void refuse(const ParticipantId& id, const Identity& identity, const std::string& topic, Refusal why);
-  /// It holds the role now: it was one that came before its predecessor was gone.
+  /// It holds the role now: it had joined before its predecessor was gone.
   void forgive(const ParticipantId& id);
   [[nodiscard]] std::vector<Stranger> all() const;
 
@@ -47,7 +47,7 @@ class Strangers {
   Entry others_;
 };
 
-/// As one line: who, on which topics, how many samples.
+/// One line: who, on which topics, how many samples.
 [[nodiscard]] std::string to_text(const Stranger& stranger);
 
 }  // namespace caravan::runtime

@@ -11,35 +11,35 @@
 
 namespace caravan::runtime {
 
-/// Who holds a role, as one reader sees it: the first participant that claims it, until that has gone.
+/// The holder of a role, as seen by one reader: the first participant that claims it, until that has gone.
 ///
-/// A participant that states the role takes it from one that does not (Claim::kWeak). Whoever else claims it
-/// is refused. What the refused have sent last may be kept: once the holder has gone the first of them holds
-/// the role, and what it has sent counts then, because it may be waiting for what follows from it and would
-/// not send it again.
+/// A participant that states the role takes it from one that does not (Claim::kWeak). All other claims are
+/// refused. The latest samples of refused participants may be kept: when the holder has gone, the first
+/// refused participant becomes the holder, and its kept samples count then, because it may be waiting for
+/// their effect and would not send them again.
 ///
 /// Not thread-safe.
 class Tenure {
  public:
   using Later = std::function<void()>;
 
-  /// @param kept  samples of each refused participant
+  /// @param kept  number of samples kept of each refused participant
   explicit Tenure(std::size_t kept = 1) : kept_{kept} {}
 
   enum class Standing : std::uint8_t {
-    kHolds,   ///< as before
-    kBegins,  ///< holds from now on
+    kHolds,   ///< already held the role
+    kBegins,  ///< becomes the holder with this sample
     kRefused
   };
-  /// A sample of the role has come from `sender`.
+  /// Handles the arrival of a sample of the role from `sender`.
   Standing claim(const Sender& sender);
-  /// `later` does what the sample of a refused participant asks for. Without effect when there are too many
-  /// of them.
+  /// Keeps `later`, which applies the sample of a refused participant. Has no effect when there are too many
+  /// refused participants.
   void keep(const Sender& sender, Later later);
 
-  /// A participant has gone. @return true when it held the role, which nobody holds now
+  /// A participant has gone. @return true when it held the role, which then has no holder
   bool release(const ParticipantId& gone);
-  /// The next participant holds the role. @return what was kept of it, in order; empty: there is none
+  /// The next participant becomes the holder. @return its kept samples, in order; empty: there is no next one
   [[nodiscard]] std::deque<Later> hand_over();
 
   [[nodiscard]] std::optional<ParticipantId> holder() const;
@@ -53,7 +53,7 @@ class Tenure {
 
   std::size_t kept_;
   std::optional<Sender> holder_;
-  std::vector<Refused> refused_;  // in the order in which they came
+  std::vector<Refused> refused_;  // in order of arrival
 };
 
 }  // namespace caravan::runtime

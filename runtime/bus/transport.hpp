@@ -7,12 +7,12 @@
 
 namespace caravan::runtime {
 
-/// What a run's samples travel by; all of its processes must use the same.
+/// The DDS transport of a run; all of its processes must use the same.
 struct Transport {
   enum Kind : std::uint8_t {
     kSharedMemory,  ///< nothing leaves the machine
     kUdp,           ///< over 127.0.0.1, unicast; for machines without shared memory, and to compare
-    kProfile        ///< as a Fast DDS XML file says: between machines; docs/hosts.md
+    kProfile        ///< as defined by a Fast DDS XML file: between machines; docs/hosts.md
   };
   Transport(Kind of_kind = kSharedMemory)
       : kind{of_kind} {}  // NOLINT(google-explicit-constructor): a name for it
@@ -23,12 +23,12 @@ struct Transport {
   std::filesystem::path profile = {};  ///< with kProfile: the file, absolute
 };
 
-/// As it stands on a command line.
+/// As given on a command line.
 [[nodiscard]] inline std::string to_text(const Transport& transport) {
   if (transport.kind == Transport::kProfile) return transport.profile;
   return transport.kind == Transport::kUdp ? "udp" : "shm";
 }
-/// Why this names no transport; empty: it does. Whether a file says what it should is seen when it is used.
+/// Why this is not a transport; empty: it is. A file's content is checked only when it is used.
 [[nodiscard]] inline std::string complaint_about_transport(const std::string& text) {
   if (text == "shm" || text == "udp") return "";
   std::error_code error;

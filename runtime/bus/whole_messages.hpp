@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A defect of Fast DDS 3.1.2 and what takes it away; included by fastdds_3.hpp alone.
+/// Workaround for a defect of Fast DDS 3.1.2; included only by fastdds_3.hpp.
 #pragma once
 
 #include <chrono>
@@ -13,13 +13,13 @@
 namespace caravan::runtime {
 namespace rtps = eprosima::fastdds::rtps;
 
-/// What a transport is given to send.
+/// The bytes that a transport is to send.
 using OutgoingBytes = const std::vector<rtps::NetworkBuffer>&;
 
-/// Shared memory in front of which the statistics that DDS puts behind each message are taken away.
+/// Shared memory without the statistics that DDS appends to each message.
 ///
-/// 3.1.2 leaves room for them and copies nothing into it (3.1.3 does not): the receiver takes what was there
-/// before for more of the message, and often does not count the message as a sign of life.
+/// 3.1.2 reserves room for them and copies nothing into it (3.1.3 fixes it): the receiver takes the stale
+/// bytes there for more of the message, and often does not count the message as a sign of life.
 class WholeMessages final : public rtps::ChainingTransport {
  public:
   explicit WholeMessages(const rtps::SharedMemTransportDescriptor& settings)
@@ -50,7 +50,7 @@ class WholeMessages final : public rtps::ChainingTransport {
   };
 };
 
-/// Is still shared memory for DDS, which looks at the descriptor's class.
+/// DDS still treats it as shared memory, because it checks the descriptor's class.
 struct WholeMessagesDescriptor final : rtps::SharedMemTransportDescriptor {
   explicit WholeMessagesDescriptor(const rtps::SharedMemTransportDescriptor& settings)
       : rtps::SharedMemTransportDescriptor(settings) {}

@@ -23,7 +23,7 @@ class node;
 
 namespace caravan::runtime {
 
-/// What a number may be, ends included.
+/// Valid range of a number, ends included.
 struct Range {
   double low = -std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::max();
@@ -31,16 +31,15 @@ struct Range {
 inline constexpr Range kNotNegative{0.0, std::numeric_limits<double>::max()};
 /// Above zero by more than rounding.
 inline constexpr Range kPositive{1e-9, std::numeric_limits<double>::max()};
-/// Seconds that become nanoseconds, and a sum of some of them, in 64 bits; on the wire a stamp has 31 bits
-/// for its seconds.
+/// Seconds that fit into 64 bits as nanoseconds, as does a sum of some of them; on the wire a stamp has 31
+/// bits for its seconds.
 inline constexpr Range kTime_s{1e-9, 1e9};
-/// Metres; their squares and the cells that they are counted in stay in range by far.
+/// Metres; squares and cell counts of such lengths are far from overflow.
 inline constexpr Range kLength_m{1e-9, 1e6};
 inline constexpr Range kPlace_m{-1e6, 1e6};
 
-/// One table of a scenario, read strictly: a value of the wrong type or out of range, and after reading every
-/// key that nobody asked for, is a StartError `file:line: table.key: reason`. A missing key leaves the
-/// default.
+/// One table of a scenario, read strictly. A value of the wrong type or out of range, and after reading any
+/// key that no read named, is a StartError `file:line: table.key: reason`. A missing key leaves the default.
 class TomlTable {
  public:
   TomlTable(std::string file, std::string name, const toml::table* table);
@@ -86,12 +85,12 @@ class TomlDocument {
   /// @throws StartError when the file cannot be read or parsed, or has a root key or table that no scenario
   /// has
   static TomlDocument load(const std::filesystem::path& file);
-  /// The same from text; `name` stands for the file in messages.
+  /// The same from text; messages name it `name`.
   static TomlDocument parse(std::string_view text, std::string name);
 
   [[nodiscard]] TomlTable root() const;
   [[nodiscard]] TomlTable table(std::string_view name) const;
-  /// The file's name as it stands in messages.
+  /// The file's name as used in messages.
   [[nodiscard]] const std::string& file() const { return file_; }
   /// The parsed tree, for a program that writes a changed scenario back.
   [[nodiscard]] const toml::table& tree() const { return *tree_; }

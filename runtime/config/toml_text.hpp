@@ -14,8 +14,8 @@ class table;
 namespace caravan::runtime {
 
 /// The text of a TOML file.
-/// @param kind  of file, for messages, such as "scenario file"
-/// @throws StartError when it is missing, no regular file, unreadable, or longer than 4 MB
+/// @param kind  kind of file, for messages, such as "scenario file"
+/// @throws StartError when it is missing, not a regular file, unreadable, or longer than 4 MB
 [[nodiscard]] std::string read_toml_file(const std::filesystem::path& file, const std::string& kind);
 
 /// Parses text that may be hostile: tables nested deeply enough to exhaust the stack are refused before the

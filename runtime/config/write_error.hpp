@@ -6,12 +6,12 @@
 
 namespace caravan::runtime {
 
-/// A file cannot be written any more: one line that says which, why and what to do. Becomes exit code 1.
+/// A file can no longer be written: one line that says which, why and what to do. Becomes exit code 1.
 struct WriteError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// @param reason  an error number such as ENOSPC; 0: not known
+/// @param reason  an error number such as ENOSPC; 0: unknown
 [[nodiscard]] WriteError cannot_write(const std::filesystem::path& file, int reason);
 
 }  // namespace caravan::runtime

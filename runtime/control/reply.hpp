@@ -6,11 +6,11 @@
 
 namespace caravan::runtime {
 
-/// What became of an order, as the requester is told it.
+/// The reply to the requester of an order.
 [[nodiscard]] caravan_interfaces::msg::ControlReply to_reply(const pure::Outcome& outcome,
                                                              std::uint64_t session);
 
-/// A line for what is done or refused. What waits for its step is told when it is done.
+/// Logs a line for an order that is done or refused. A scheduled order is logged when it is done.
 void log_outcome(const pure::Outcome& outcome);
 
 }  // namespace caravan::runtime

@@ -11,30 +11,30 @@
 
 namespace caravan::runtime {
 
-/// Whether a living process has a DDS port of the domain mapped: the domain is in use, by whomever.
+/// Whether a running process, of any user, has a DDS port of the domain mapped: the domain is in use.
 [[nodiscard]] bool has_living_ports(std::uint32_t domain);
-/// Removes the domain's DDS port files that no living process has mapped. A process that was killed while it
-/// made a port leaves one at which every later participant of the domain would hang.
-/// @pre nobody is starting in the domain
+/// Removes the domain's DDS port files that no running process has mapped. A process that is killed while it
+/// creates a port leaves one at which every later participant of the domain would hang.
+/// @pre no process is starting in the domain
 void remove_dead_ports(std::uint32_t domain);
 
 struct LeftFile {
-  std::string name;  ///< in the folder
+  std::string name;  ///< file name in the folder
   std::uint64_t bytes = 0;
 };
 
-/// DDS files, of whatever domain or program, that the present user may remove and that nobody alive has
-/// mapped or locked, in containers too. Those made within the last minute are spared: somebody may be
+/// DDS files, of any domain or program, that the present user may remove and that no running process has
+/// mapped or locked, including containers. Files created within the last minute are skipped: a process may be
 /// starting.
 [[nodiscard]] std::vector<LeftFile> left_by_the_dead(const std::filesystem::path& folder = "/dev/shm");
-/// Removes them. @return how many
+/// Removes these files. @return how many
 std::size_t remove_left_by_the_dead(const std::filesystem::path& folder = "/dev/shm");
 
 /// The shared-memory files that a run's processes leave behind when they are killed.
 ///
-/// A killed process cannot remove its DDS segments, so they are noted while it lives. Only files of the run's
-/// domain and of noted processes are removed, and of these only those that no living process has mapped or,
-/// of segments, that the process which made them no longer holds.
+/// A killed process cannot remove its DDS segments, so they are noted while it is running. Only files of the
+/// run's domain and of noted processes are removed, and of these only those that no running process has
+/// mapped; of segments, only those that their creator no longer holds.
 class SharedMemory {
  public:
   explicit SharedMemory(std::uint32_t domain) : domain_{domain} {}
@@ -45,8 +45,8 @@ class SharedMemory {
 
   /// Remembers the DDS segments that the process has mapped now.
   void note(pid_t process);
-  /// The same of those of these that had none yet when they were last looked at: one that is killed early
-  /// leaves its segment too. @return have all of them one?
+  /// The same, only for processes that had no segment when last checked: a process that is killed early
+  /// leaves its segment too. @return whether all of them have one
   bool note_new(const std::vector<pid_t>& processes);
 
  private:
@@ -54,7 +54,7 @@ class SharedMemory {
 
   std::uint32_t domain_;
   std::set<std::string> segments_;  // file names in /dev/shm
-  std::set<pid_t> noted_;           // that had some
+  std::set<pid_t> noted_;           // processes that had segments
 };
 
 }  // namespace caravan::runtime

@@ -10,20 +10,20 @@ namespace caravan::runtime {
 
 using WallTime = std::chrono::steady_clock::time_point;
 
-/// A descriptor that a wait watches beside its own.
+/// A further descriptor that a wait watches.
 struct Polled {
   int descriptor = -1;       ///< below 0: none, never ready
-  bool for_writing = false;  ///< ready also when something can be written
-  bool ready = false;        ///< after a wait: something can be read, or written, or it is broken
+  bool for_writing = false;  ///< ready also when it can be written
+  bool ready = false;        ///< after a wait: it can be read, or written, or is broken
 };
 
-/// The main thread's one place to wait: for SIGINT or SIGTERM, for a wake-up by another thread, for a
-/// deadline, or for descriptors.
+/// The only place where the main thread waits: for SIGINT or SIGTERM, a wake-up by another thread, a
+/// deadline, or descriptors.
 ///
-/// It also speaks for the process to the service manager (see service_manager.hpp): ready at the first wait,
-/// alive whenever the caller comes back to wait, stopping when told to.
+/// It also notifies the service manager (see service_manager.hpp): ready at the first wait, alive whenever
+/// the caller returns to wait, stopping on a stop.
 ///
-/// Blocks the two signals, and SIGCONT, for the whole process on construction, so make it before any other
+/// Blocks the two signals, and SIGCONT, for the whole process on construction, so create it before any other
 /// thread.
 class Loop {
  public:
@@ -34,13 +34,13 @@ class Loop {
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
-  /// @param deadline none: as long as it takes. May return kNotified earlier, when somebody wants to know
-  ///                 whether the caller is still alive
-  /// @param others   whose `ready` is set, whatever the wait returns
+  /// @param deadline none: waits without limit. May return kNotified earlier, so that the caller shows the
+  ///                 service manager that it is alive
+  /// @param others   their `ready` is set, whatever the wait returns
   [[nodiscard]] Woken wait(std::optional<WallTime> deadline, std::span<Polled> others = {});
   /// Whether, during the last wait, this process was stopped and continued (SIGSTOP, SIGCONT) and about its
-  /// lease passed: then the others may have dropped it. A process that is only slow is not meant. Of waits of
-  /// half a second the answer is right to half a second.
+  /// lease passed: the others may have dropped it. False for a process that is only slow. With waits of half
+  /// a second the answer is accurate to half a second.
   [[nodiscard]] bool was_suspended_for(double lease_s) const {
     return continued_ && passed_ > std::chrono::duration<double>(0.9 * lease_s);
   }
@@ -59,9 +59,9 @@ class Loop {
   int stops_ = -1;
   bool interrupted_ = false;
   bool continued_ = false;              // during the last wait
-  std::chrono::nanoseconds passed_{0};  // while it lasted
+  std::chrono::nanoseconds passed_{0};  // during the last wait
   bool was_ready_ = false;
-  std::optional<std::chrono::microseconds> watchdog_;  // how often the caller should come back
+  std::optional<std::chrono::microseconds> watchdog_;  // how often the caller must return
   WallTime alive_due_{};
 };
 

@@ -9,7 +9,7 @@
 
 namespace caravan::runtime {
 
-/// What other threads leave for a process's main thread, which is woken for it.
+/// Mail from other threads to a process's main thread; posting wakes that thread.
 template <typename Mail>
 class Mailbox {
  public:
@@ -22,7 +22,7 @@ class Mailbox {
     }
     loop_.notify();
   }
-  /// All that has come since the last time, in order.
+  /// All mail since the last call, in order.
   [[nodiscard]] std::vector<Mail> take() {
     const std::lock_guard lock{mutex_};
     return std::exchange(mail_, {});

@@ -15,7 +15,7 @@ namespace caravan::runtime {
 /// Exit codes of every program.
 enum ExitCode : int { kDone = 0, kFailed = 1, kCouldNotStart = 2, kConditionNotMet = 3, kInterrupted = 130 };
 
-/// A numeric command line option of one program beside the common ones.
+/// A numeric command line option of one program in addition to the common ones.
 struct NumberOption {
   std::string flag;  ///< "--robot"
   std::string help;
@@ -37,17 +37,17 @@ struct Program {
   std::vector<TextOption> texts = {};
 };
 
-/// What the command line said.
+/// The command line's values.
 struct Start {
   std::filesystem::path scenario;
   std::uint32_t domain = 0;
-  double lease_s = 5.0;  ///< --lease: silent for so long, this process counts as gone
+  double lease_s = 5.0;  ///< --lease: silent for this long, this process counts as gone
   Transport transport = Transport::kSharedMemory;
   bool check_only = false;  ///< --check-config: read and check the configuration, then end
 };
 
-/// Thrown by a body that cannot go on as it is: the process closes what it has and is executed anew, with the
-/// same command line and process id.
+/// Thrown by a body that cannot continue in its state: the process closes its resources and executes itself
+/// anew, with the same command line and process id.
 struct BeginAnew {
   std::string reason;
 };

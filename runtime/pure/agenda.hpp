@@ -10,34 +10,34 @@
 
 namespace caravan::pure {
 
-/// Something that somebody asks of a running part, to take effect when a step begins.
+/// A request to a running component that takes effect at the start of a step.
 template <typename Action>
 struct Order {
   std::string requester;
-  std::uint32_t id = 0;       ///< grows with each order of the requester
-  std::uint64_t at_step = 0;  ///< 0: the next
+  std::uint32_t id = 0;       ///< increases with each order of the requester
+  std::uint64_t at_step = 0;  ///< 0: the next step
   Action action;
 };
 
-/// What became of an order.
+/// The result of an order.
 struct Outcome {
   enum class Kind : std::uint8_t { kRefused, kScheduled, kDone };
   std::string requester;
   std::uint32_t id = 0;
   Kind kind = Kind::kRefused;
-  std::uint64_t step = 0;  ///< from which on it takes effect
+  std::uint64_t step = 0;  ///< from which it takes effect
   std::string reason;      ///< why it was refused
   bool operator==(const Outcome&) const = default;
 };
 
-/// Orders that wait for their step. Orders of one step are due as they came, so equal orders for equal steps
-/// give equal runs whenever they arrive.
+/// Orders that wait for their step. Orders of the same step are due in order of arrival, so equal orders for
+/// equal steps give equal runs whenever they arrive.
 template <typename Action>
 class Agenda {
  public:
   /// @param next_step  the first step that has not begun
-  /// @param refusal    why the order cannot be obeyed, whenever; empty when it can
-  /// @return none for an order that has been taken or refused before: requesters repeat themselves
+  /// @param refusal    why the order cannot be executed at any step; empty if it can
+  /// @return none for an order that was accepted or refused before: requesters repeat orders
   std::optional<Outcome> add(Order<Action> order, std::uint64_t next_step, std::string refusal) {
     const auto newest = newest_.find(order.requester);
     if (newest != newest_.end() && order.id <= newest->second) return std::nullopt;
@@ -57,11 +57,11 @@ class Agenda {
     return outcome;
   }
 
-  /// Takes out what is to take effect in `step` or was to earlier, in order.
+  /// Removes and returns the orders due in `step` or earlier, in order.
   [[nodiscard]] std::vector<Order<Action>> due(std::uint64_t step) {
     return take_until(waiting_.upper_bound(step));
   }
-  /// Takes out everything: no step will come any more.
+  /// Removes and returns all orders, when no further step will follow.
   [[nodiscard]] std::vector<Order<Action>> rest() { return take_until(waiting_.end()); }
 
  private:
@@ -75,7 +75,7 @@ class Agenda {
     return taken;
   }
 
-  Waiting waiting_;  // by step; of one step as they came
+  Waiting waiting_;  // by step; within a step in order of arrival
   std::map<std::string, std::uint32_t> newest_;
 };
 

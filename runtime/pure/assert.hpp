@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-/// A breached precondition is a bug of the caller: reported with its place and ended, in every build type.
+/// A breached precondition is a bug of the caller: prints its location and aborts, in every build type.
 #define CARAVAN_ASSERT(condition)                                                            \
   do {                                                                                       \
     if (!(condition)) {                                                                      \

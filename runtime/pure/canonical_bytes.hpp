@@ -8,9 +8,9 @@
 
 namespace caravan::pure {
 
-/// The canonical byte order of what goes into the digest (docs/digest.md): integers little-endian in 8 bytes,
-/// reals as their IEEE 754 bits with -0 as +0 and every NaN as the one quiet NaN, byte strings with their
-/// length before them.
+/// Canonical byte order of the data in the digest (docs/digest.md): integers little-endian in 8 bytes, reals
+/// as their IEEE 754 bits with -0 as +0 and every NaN as the one quiet NaN, byte strings preceded by their
+/// length.
 class CanonicalBytes {
  public:
   void word(std::uint64_t number) {

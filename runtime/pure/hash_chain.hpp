@@ -8,7 +8,7 @@ namespace caravan::pure {
 
 /// FNV-1a over 64 bits (Fowler, Noll, Vo), from step to step.
 ///
-/// A chain's value depends on every byte linked to it since the start, so two runs with equal values took
+/// A chain's value depends on every byte linked to it since the start, so two runs with equal values executed
 /// equal steps.
 class HashChain {
  public:

@@ -3,7 +3,7 @@
 
 namespace caravan::pure {
 
-/// A visitor out of lambdas; without a catch-all, a new alternative of the variant does not compile.
+/// A visitor made of lambdas; without a catch-all, a new alternative of the variant does not compile.
 template <typename... Functions>
 struct Overload : Functions... {
   using Functions::operator()...;

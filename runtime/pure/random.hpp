@@ -15,8 +15,8 @@ namespace caravan::pure {
   return word ^ (word >> 31U);
 }
 
-/// One word from several, order matters. For draws that belong to an event (step, sender, receiver) rather
-/// than to a sequence, so that an event more or less changes no other draw.
+/// One word from several; their order matters. For draws that belong to an event (step, sender, receiver)
+/// rather than to a sequence, so that an additional event changes no other draw.
 template <typename... Words>
 [[nodiscard]] constexpr std::uint64_t mix_all(std::uint64_t seed, Words... words) {
   std::uint64_t state = mix(seed + 0x9e3779b97f4a7c15ULL);
@@ -29,10 +29,10 @@ template <typename... Words>
   return static_cast<double>(word >> 11U) * 0x1.0p-53;
 }
 
-/// A seeded stream of random numbers: SplitMix64. One stream for each device and robot, so that a robot more
-/// changes no other's draws.
+/// A seeded stream of random numbers: SplitMix64. One stream for each device and robot, so that an additional
+/// robot changes no other's draws.
 ///
-/// The distributions are written out here because those of the standard library differ between
+/// The distributions are implemented here because those of the standard library differ between
 /// implementations.
 class Random {
  public:

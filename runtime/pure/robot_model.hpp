@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <numbers>
 
-/// The robot, a Pioneer 3-DX, and its radio, as they are when a scenario says nothing else: the one place for
-/// world, agent, bridge, radio and tests.
+/// Defaults of the robot, a Pioneer 3-DX, and its radio, where a scenario gives no value: the only definition
+/// for world, agent, bridge, radio and tests.
 namespace caravan::robot_model {
 
 inline constexpr double kBodyLength_m = 0.485;
@@ -19,7 +19,7 @@ inline constexpr double kTrack_m = 0.330;
 inline constexpr double kWheelRadius_m = 0.0975;
 inline constexpr double kWheelLimit_mps = 1.6;  ///< rim speed
 
-/// Where a sonar sits and looks, in frame B (on the axle, x forward, y left).
+/// Position and direction of a sonar in frame B (origin on the axle, x forward, y left).
 struct SonarMount {
   double x_m = 0.0;
   double y_m = 0.0;

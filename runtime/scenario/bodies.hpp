@@ -7,8 +7,8 @@
 
 namespace caravan::runtime {
 
-/// Robots behind a bridge, as --bodies of world server and radio emulator names them: sorted.
-/// @throws StartError for numbers that are not 1 to `robots`
+/// Robots behind a bridge, from --bodies of world server and radio emulator, sorted.
+/// @throws StartError for numbers outside 1 to `robots`
 [[nodiscard]] std::vector<std::uint32_t> read_bodies(const std::vector<std::string>& lists,
                                                      std::uint32_t robots);
 
