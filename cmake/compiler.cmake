@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# One compiler set-up for every target: C++20, warnings as errors, floating point that does not depend on the optimiser.
+# Compiler settings of every target: C++20, warnings as errors, floating point that does not depend on the optimiser.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -14,7 +14,7 @@ set(CARAVAN_SANITIZE "" CACHE STRING "Sanitizers for the whole build, as in -fsa
 if(CARAVAN_SANITIZE)
   add_compile_options(-fsanitize=${CARAVAN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${CARAVAN_SANITIZE})
-  # GCC 12 takes members of std::regex for uninitialised in a build with AddressSanitizer.
+  # GCC 12 reports members of std::regex as uninitialised in a build with AddressSanitizer.
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
@@ -26,7 +26,7 @@ endif()
 
 add_library(caravan_warnings INTERFACE)
 target_compile_options(caravan_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
-# GCC 12 sees overlapping copies in std::string's operator+ where there are none (GCC bug 105651), from -O3 on.
+# GCC 12 wrongly reports overlapping copies in std::string's operator+ (GCC bug 105651), from -O3 on.
 target_compile_options(caravan_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 
 # caravan_library(NAME SOURCES... LINK ...): a static library whose headers are included from the repository root.

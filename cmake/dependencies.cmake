@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# Everything the project links, from Debian 12 or 13; cmake/debian_packages.txt names the packages.
+# All libraries that the project links, from Debian 12 or 13; cmake/debian_packages.txt names the packages.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fastcdr REQUIRED)
-# Debian 13 has Fast DDS 3.1, Debian 12 has 2.9 under its old name; runtime/bus/fastdds_version.hpp has what differs in the code.
+# Debian 13 has Fast DDS 3.1, Debian 12 has 2.9 under its old name; runtime/bus/fastdds_version.hpp has the differences in the code.
 find_package(fastdds 3.1 QUIET)
 if(fastdds_FOUND)
   set(CARAVAN_FASTDDS fastdds)

@@ -2,8 +2,8 @@
 # caravan_idl_library(NAME FILES...): DDS type support generated at build time; nothing generated is committed.
 find_program(FASTDDSGEN fastddsgen REQUIRED)
 
-# Of fastddsgen 4 (Fast DDS 3): no TypeObjects, which version 2 does not make either and DDS would send to every neighbour; the headers
-# are X.hpp, so X.h is one line. Both with and without "PubSubTypes".
+# For fastddsgen 4 (Fast DDS 3): no TypeObjects, which version 2 does not generate either and which DDS would send to every peer; the headers
+# are X.hpp, so X.h is one line. Both exist with and without "PubSubTypes".
 if(CARAVAN_FASTDDS STREQUAL fastdds)
   set(CARAVAN_FASTDDSGEN_OPTIONS -flat-output-dir -no-typeobjectsupport)
   set(CARAVAN_FASTDDSGEN_HEADER .hpp)
@@ -16,7 +16,7 @@ endif()
 
 function(caravan_idl_library name)
   cmake_parse_arguments(arg "" "" "FILES" ${ARGN})
-  # A folder for each library: every run writes the files of what it includes too, while others may be read by the compiler.
+  # One folder per library: every run also writes the files of the IDL that it includes, while the compiler may be reading those of another.
   set(out ${CMAKE_CURRENT_BINARY_DIR}/generated/${name})
   file(MAKE_DIRECTORY ${out})
   set(sources)
@@ -34,8 +34,8 @@ function(caravan_idl_library name)
         file(CONFIGURE OUTPUT ${out}/${part}.h CONTENT "#include \"${part}${CARAVAN_FASTDDSGEN_HEADER}\"\n")
       endif()
     endforeach()
-    # -replace: without it a stale output is kept silently. A change in one file regenerates all, since they include each other.
-    # -t: preprocessed files go to a folder of the run's own; two runs at a time in the shared default garble each other.
+    # -replace: without it a stale output is kept silently. A change in one file regenerates all, because they include each other.
+    # -t: preprocessed files go to a folder for this run; two concurrent runs in the shared default folder corrupt each other.
     file(MAKE_DIRECTORY ${out}/${stem}.tmp)
     add_custom_command(OUTPUT ${made} ${headers}
       COMMAND ${FASTDDSGEN} ${CARAVAN_FASTDDSGEN_OPTIONS} -replace -I ${CMAKE_CURRENT_SOURCE_DIR} -d ${out} -t ${out}/${stem}.tmp ${CMAKE_CURRENT_SOURCE_DIR}/${file} > ${out}/${stem}.log

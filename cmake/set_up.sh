@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# Sourced by deploy/run and tests/run: brings a fresh Debian 12 or 13 machine to a build, saying what it does. Nothing
-# is done that is done already.
+# Sourced by deploy/run and tests/run: prepares a fresh Debian 12 or 13 machine for a build, and prints what it does. Steps that are
+# already done are skipped.
 
-# packages_of RELEASE: those of cmake/debian_packages.txt for Debian 12 or 13, one a line.
+# packages_of RELEASE: packages in cmake/debian_packages.txt for Debian 12 or 13, one per line.
 packages_of() { sed -nE -e '/^[a-z][^ ]*$/p' -e "s/^$1 //p" cmake/debian_packages.txt; }
 
-# install_packages: what cmake/debian_packages.txt names and dpkg does not know as installed.
+# install_packages: installs the packages in cmake/debian_packages.txt that are missing.
 install_packages() {
   local missing=() package as_root=() release
   if ! command -v dpkg-query > /dev/null; then

@@ -3,7 +3,7 @@ include(CTest)
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)
   include(GoogleTest)
-  # A header and not definitions for every file: what does not name these paths compiles alike in every checkout.
+  # A header instead of definitions for every file: files that do not use these paths compile the same in every checkout.
   set(CARAVAN_BUILD_PATHS_DIR ${CMAKE_BINARY_DIR}/generated/build_paths)
   file(CONFIGURE OUTPUT ${CARAVAN_BUILD_PATHS_DIR}/build_paths.hpp CONTENT [[
 #pragma once
@@ -12,9 +12,9 @@ if(BUILD_TESTING)
 ]] @ONLY)
 endif()
 
-# caravan_test(NAME LABEL level SOURCES... LINK... [TIMEOUT seconds] [SLOW]): a GoogleTest program, every case a ctest with that label;
-# with SLOW the label is <level>-slow: gtest_discover_tests takes one label only. TIMEOUT is what a case may take on an idle machine. On
-# others tests wait longer themselves (tests/support/patience.hpp); ctest ends at ten times that what is stuck.
+# caravan_test(NAME LABEL level SOURCES... LINK... [TIMEOUT seconds] [SLOW]): a GoogleTest program; every case is a ctest with that label.
+# With SLOW the label is <level>-slow: gtest_discover_tests takes only one label. TIMEOUT is the time that a case may take on an idle machine. On
+# other machines tests wait longer themselves (tests/support/patience.hpp); ctest ends a stuck case at ten times that.
 function(caravan_test name)
   cmake_parse_arguments(arg "SLOW" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(NOT arg_TIMEOUT)

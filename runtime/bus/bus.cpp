@@ -33,16 +33,16 @@
 namespace caravan::runtime {
 namespace {
 
-/// Process-wide settings that must stand before the first participant.
+/// Process-wide settings to be made before the first participant.
 void prepare_process() {
-  // Batch scheduling: a sample that arrives does not preempt the sender, which saves half of the context
+  // Batch scheduling: an arriving sample does not preempt the sender, which saves half of the context
   // switches.
   const sched_param batch{};
   (void)sched_setscheduler(0, SCHED_BATCH, &batch);  // refused in some containers: slower, not wrong
   // With intraprocess delivery write() would call the reader's callback in the writer's thread, under the
   // writer's locks.
   turn_intraprocess_delivery_off();
-  (void)reads_past_lost_segments();  // links it in
+  (void)reads_past_lost_segments();  // makes the linker include it
   dds::DomainParticipantFactoryQos by_hand;
   by_hand.entity_factory().autoenable_created_entities = false;
   dds::DomainParticipantFactory::get_instance()->set_qos(by_hand);
@@ -73,7 +73,7 @@ dds::DomainParticipant* join(const BusConfig& config, dds::DomainParticipantQos 
 
 }  // namespace
 
-/// A reader's listener: hands over what its topic's writers may say.
+/// A reader's listener: passes on the samples of writers that may claim the topic.
 class Bus::Inbox final : public dds::DataReaderListener {
  public:
   Inbox(const idl::Topic& topic, std::string name, Impl& bus, std::shared_ptr<void> sample, Take take)
@@ -86,7 +86,7 @@ class Bus::Inbox final : public dds::DataReaderListener {
   void on_data_available(dds::DataReader* reader) override;
 
  private:
-  /// None when it has gone: what it says with the same GUID after its return counts again.
+  /// None when it has gone: its samples with the same GUID after its return count again.
   std::optional<Sender> sender_of(const dds::SampleInfo& info);
 
   const idl::Topic topic_;
@@ -94,7 +94,7 @@ class Bus::Inbox final : public dds::DataReaderListener {
   Impl& bus_;
   std::shared_ptr<void> sample_;  // reused, so that a step allocates nothing
   Take take_;
-  std::vector<Sender> senders_;  // that have written lately
+  std::vector<Sender> senders_;  // that have written recently
 };
 
 struct Bus::Impl {
@@ -158,7 +158,7 @@ Bus::Bus(const BusConfig& config, DiscoveryCallback discovered)
     : impl_{std::make_unique<Impl>(std::move(discovered))} {
   impl_->identity = own_identity(config.role);
   const dds::DomainParticipantQos qos = participant_qos(to_name(impl_->identity), config);
-  static const bool prepared = (prepare_process(), true);  // after a profile was read, which may set them too
+  static const bool prepared = (prepare_process(), true);  // after reading a profile, which may set them too
   (void)prepared;
   if (uses_shared_memory_alone(qos)) impl_->place.emplace(config.domain);
   impl_->participant = join(config, qos, impl_->place ? &*impl_->place : nullptr, &impl_->listener);

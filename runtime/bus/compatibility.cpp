@@ -10,7 +10,7 @@ namespace {
 const char* to_text(EndpointQos::Durability durability) {
   constexpr std::array kWords{"VOLATILE", "TRANSIENT_LOCAL", "TRANSIENT", "PERSISTENT"};
   const auto index = static_cast<std::size_t>(durability);
-  return index < kWords.size() ? kWords.at(index) : "of no known kind";
+  return index < kWords.size() ? kWords.at(index) : "of unknown kind";
 }
 
 }  // namespace

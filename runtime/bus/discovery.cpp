@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostUntold = 64;
 
-/// What other makes say of their process (Cyclone DDS does), for one that has not named itself as ours do.
+/// The process that other makes state (Cyclone DDS does), for a participant without a name of our form.
 Identity stated_identity(const std::string& name, const Properties& properties) {
   Identity identity = to_identity(name);
   if (identity.started_ms != 0) return identity;
@@ -27,7 +27,7 @@ Identity stated_identity(const std::string& name, const Properties& properties) 
   return identity;
 }
 
-/// The row of the table for a topic's name; null: it is none of ours.
+/// The table's row for a topic's name; null: not one of ours.
 const idl::Topic* row_of(const std::string& name) {
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   const auto first = std::find_if(name.begin(), name.end(), digit);
@@ -80,7 +80,7 @@ void DiscoveryListener::found(const Endpoint& endpoint) {
     if (!lack.empty()) {
       const std::string text = "no match topic=" + endpoint.topic + ": the " +
                                (writes ? "writer" : "reader") + " of " +
-                               to_text(endpoint.participant, identity) + " is left out: " + lack;
+                               to_text(endpoint.participant, identity) + " is ignored: " + lack;
       const std::pair our_end{writes ? End::kReader : End::kWriter, endpoint.topic};
       if (ours_.contains(our_end))
         spdlog::warn("{}", text);

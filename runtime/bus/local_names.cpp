@@ -19,7 +19,7 @@ int hold_local_name(const std::string& name) {
   const int held = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  std::copy(name.begin(), name.end(), address.sun_path + 1);  // after a NUL: abstract
+  std::copy(name.begin(), name.end(), address.sun_path + 1);  // after a NUL: an abstract name
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
   if (bind(held, reinterpret_cast<const sockaddr*>(&address), size) == 0) return held;
   const int why = errno;
@@ -29,7 +29,7 @@ int hold_local_name(const std::string& name) {
 }
 
 std::vector<std::string> local_names(const std::string& beginning) {
-  const std::string mark = " @" + beginning;  // the kernel's list has @ for the NUL
+  const std::string mark = " @" + beginning;  // the kernel's list shows the NUL as @
   std::vector<std::string> names;
   std::ifstream sockets{"/proc/net/unix"};
   for (std::string line; std::getline(sockets, line);) {

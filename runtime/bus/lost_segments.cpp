@@ -16,7 +16,7 @@
 namespace caravan::runtime {
 namespace {
 
-/// Of a segment that holds messages, not of a port: the mark and 16 hexadecimal digits.
+/// Whether it is the name of a segment of messages, not of a port: the mark and 16 hexadecimal digits.
 bool names_segment(std::string_view name) {
   if (name.starts_with('/')) name.remove_prefix(1);
   if (!name.starts_with(kSharedMemoryMark)) return false;
@@ -25,12 +25,12 @@ bool names_segment(std::string_view name) {
   return name.size() == 16 && std::all_of(name.begin(), name.end(), is_digit);
 }
 
-/// Nameless memory that Boost takes for a segment, with zeroes at every address that a message can have. It
-/// takes no memory but for what is written. @return its descriptor; -1: errno says why
+/// Anonymous memory that Boost accepts as a segment, with zeroes at every address that a message can have.
+/// Only written pages take memory. @return its descriptor; -1: errno gives the reason
 int empty_segment() {
   constexpr std::uint32_t kInitialized = 2;  // Boost.Interprocess: the first word of a segment in use
-  // Addresses have 32 bits. Of a segment whose size behind its first words needs more, Boost opens nothing,
-  // and Fast DDS does not ask whether it did.
+  // Addresses have 32 bits. A segment whose size behind its first words needs more is not opened by Boost,
+  // and Fast DDS does not check that.
   constexpr off_t kSize = off_t{1} << 32;
   const int memory = memfd_create("caravan lost segment", MFD_CLOEXEC);
   if (memory < 0) return -1;
@@ -49,7 +49,7 @@ bool reads_past_lost_segments() { return kStopsAtLostSegments; }
 
 }  // namespace caravan::runtime
 
-/// In place of that of the C library, for all libraries of the process.
+/// Replaces that of the C library, for all libraries of the process.
 extern "C" __attribute__((visibility("default"))) int shm_open(const char* name, int flags, mode_t mode) {
   using Open = int (*)(const char*, int, mode_t);
   static const auto open_of_library = reinterpret_cast<Open>(dlsym(RTLD_NEXT, "shm_open"));

@@ -13,7 +13,7 @@
 namespace caravan::runtime {
 namespace {
 
-/// What the names of a domain's places begin with; the port's number follows.
+/// Prefix of the names of a domain's places; the port's number follows.
 std::string mark_of(std::uint32_t domain) { return "caravan/" + std::to_string(domain) + "/"; }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace caravan::runtime {
 namespace {
 
-/// Has DDS read the file, once in the life of the process.
+/// Lets DDS read the file, once per process.
 void load_once(const std::filesystem::path& file) {
   static std::mutex mutex;
   static std::optional<std::filesystem::path> loaded;

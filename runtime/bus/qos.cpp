@@ -11,9 +11,9 @@
 namespace caravan::runtime {
 namespace {
 
-constexpr std::uint32_t kMostProcesses = 120;  // of a domain on UDP: each has two of its 250 ports
-// Of the lease. Everybody tells everybody, so this is most of what waiting costs; whatever else a process
-// sends renews its lease too.
+constexpr std::uint32_t kMostProcesses = 120;  // in a domain on UDP: each uses two of its 250 ports
+// Fraction of the lease. Every process announces itself to every other, which is most of the cost of waiting;
+// any other message of a process renews its lease too.
 constexpr double kAnnouncedAfter = 0.4;
 
 constexpr std::int32_t depth_of(idl::Delivery delivery) {
@@ -31,7 +31,7 @@ constexpr std::int32_t depth_of(idl::Delivery delivery) {
   return 1;
 }
 
-/// The part that writers and readers have in common.
+/// The settings that writers and readers share.
 template <typename Qos>
 void set_common(Qos& qos, idl::Delivery delivery) {
   const bool latest = delivery == idl::Delivery::kLatest;
@@ -50,11 +50,11 @@ void set_common(Qos& qos, idl::Delivery delivery) {
   qos.data_sharing().off();  // slower here, and more threads
 }
 
-/// The lowest participant number of the domain whose ports nobody has used yet, -1 when there is none.
+/// The lowest participant number of the domain whose ports no process has used yet, -1 when there is none.
 ///
-/// DDS itself would take the lowest that nobody uses now. But processes that have sent to a killed one keep
-/// its ports mapped and go on sending into them: whoever gets the same numbers is never heard from by
-/// anybody.
+/// DDS itself would take the lowest number not in use. But processes that have sent to a killed one keep its
+/// ports mapped and continue to send into them: they would never receive from a new owner of the same
+/// numbers.
 std::int32_t fresh_number(std::uint32_t domain) {
   constexpr std::uint32_t kFirstPort = 7410;
   constexpr std::uint32_t kPortsOfADomain = 250;
@@ -69,17 +69,17 @@ std::int32_t fresh_number(std::uint32_t domain) {
   return -1;
 }
 
-/// By unicast to the first participants of this machine; a list of our own keeps DDS from using multicast.
+/// By unicast to the first participants of this machine; an explicit list keeps DDS from using multicast.
 void look_for_peers_on_loopback(rtps::BuiltinAttributes& builtin) {
   rtps::Locator_t loopback;
   loopback.kind = LOCATOR_KIND_UDPv4;
   rtps::IPLocator::setIPv4(loopback, "127.0.0.1");
   builtin.metatrafficUnicastLocatorList.push_back(loopback);
   builtin.initialPeersList.push_back(loopback);
-  builtin.mutation_tries = kMostProcesses;  // so many ports are tried for a free one
+  builtin.mutation_tries = kMostProcesses;  // number of ports tried for a free one
 }
 
-/// What decides how others are reached: transports, addresses, ports, the way of discovery.
+/// The settings for reaching others: transports, addresses, ports, discovery.
 dds::DomainParticipantQos qos_to_reach_others(const BusConfig& config) {
   if (config.transport.kind == Transport::kProfile) return read_profile(config.transport.profile);
   dds::DomainParticipantQos qos = dds::PARTICIPANT_QOS_DEFAULT;
@@ -101,9 +101,8 @@ Duration milliseconds(std::uint32_t count) {
 
 std::shared_ptr<rtps::TransportDescriptorInterface> shared_memory() {
   const auto transport = std::make_shared<rtps::SharedMemTransportDescriptor>();
-  // Never, which is after 49 days. With the default of 1 s samples are lost for good when a process is
-  // stopped for 2 s; and whoever starts between a check and the next message to a port that was checked
-  // hangs.
+  // Never (49 days). With the default of 1 s samples are lost for good when a process is stopped for 2 s, and
+  // a process that starts between a check and the next message to a checked port hangs.
   transport->healthy_check_timeout_ms(std::numeric_limits<std::uint32_t>::max());
   return transport;
 }
@@ -111,7 +110,7 @@ std::shared_ptr<rtps::TransportDescriptorInterface> shared_memory() {
 std::shared_ptr<rtps::TransportDescriptorInterface> loopback_udp() {
   auto transport = std::make_shared<rtps::UDPv4TransportDescriptor>();
   transport->interfaceWhiteList.emplace_back("127.0.0.1");
-  transport->maxInitialPeersRange = kMostProcesses;  // by default the fifth process would not be looked for
+  transport->maxInitialPeersRange = kMostProcesses;  // by default the fifth process would not be found
   return transport;
 }
 
@@ -136,7 +135,7 @@ dds::DataWriterQos writer_qos(idl::Delivery delivery) {
   auto& reliable = qos.reliable_writer_qos();
   reliable.disable_heartbeat_piggyback = true;
   nack_suppression(reliable.times) = milliseconds(100);  // the default wakes a second thread on every write
-  heartbeat_period(reliable.times) = milliseconds(200);  // how soon a lost sample is noticed
+  heartbeat_period(reliable.times) = milliseconds(200);  // the delay until a lost sample is noticed
   return qos;
 }
 
@@ -144,7 +143,8 @@ dds::DataReaderQos reader_qos(idl::Delivery delivery) {
   dds::DataReaderQos qos = dds::DATAREADER_QOS_DEFAULT;
   set_common(qos, delivery);
   // Room for newer samples while older ones wait for a gap to be closed. Without it a reader that joins a
-  // fast writer late keeps the first few it got, has no room for the newest, and hears nothing for seconds.
+  // fast writer late keeps the first few it got, has no room for the newest, and receives nothing for
+  // seconds.
   qos.resource_limits().max_samples = 2 * depth_of(delivery);
   qos.resource_limits().max_samples_per_instance = 2 * depth_of(delivery);
   return qos;

@@ -11,7 +11,7 @@ namespace {
 
 using idl::Party;
 
-/// By the first word of a role's name: what follows is the robot's number.
+/// Keyed by the first word of a role's name; the robot's number follows it.
 constexpr std::array<std::pair<std::string_view, Party>, 10> kRoles{{{"world_server", Party::kWorld},
                                                                      {"radio_emulator", Party::kRadio},
                                                                      {"robot_agent", Party::kAgent},

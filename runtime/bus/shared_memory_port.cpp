@@ -6,12 +6,12 @@
 namespace caravan::runtime {
 namespace {
 
-constexpr std::uint32_t kPortsOfADomain = 1'000'000;  // domain 0 has them from here on
+constexpr std::uint32_t kPortsOfADomain = 1'000'000;  // those of domain 0 start here
 
 }  // namespace
 
 std::uint32_t fresh_port(std::uint32_t domain) {
-  // Drawn, because two that start in the same moment see the same files.
+  // Random, because two processes that start at the same moment see the same files.
   std::random_device source;
   std::uniform_int_distribution<std::uint32_t> number{0, kPortsOfADomain - 1};
   std::error_code error;

@@ -9,14 +9,14 @@ namespace caravan::runtime {
 namespace {
 
 constexpr std::size_t kMostStrangers = 32;
-constexpr std::size_t kMostTopics = 16;  // of each
+constexpr std::size_t kMostTopics = 16;  // per participant
 
 const char* to_text(Refusal why) {
   switch (why) {
     case Refusal::kMalformed:
       return "its bytes are not of the topic's type";
     case Refusal::kTooLong:
-      return "it is longer than any of ours";
+      return "it is longer than any valid sample";
     case Refusal::kNotItsRole:
       return "its writer states no role that may write this topic";
     case Refusal::kRoleIsHeld:

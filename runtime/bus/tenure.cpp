@@ -7,7 +7,7 @@
 namespace caravan::runtime {
 namespace {
 
-constexpr std::size_t kMostRefused = 8;  // participants of which samples are kept
+constexpr std::size_t kMostRefused = 8;  // participants whose samples are kept
 
 bool is(const ParticipantId& one, const ParticipantId& other) { return one == other; }
 

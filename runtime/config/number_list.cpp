@@ -15,7 +15,7 @@ class Reader {
   Reader(const std::string& text, const NumberListRule& rule) : text_{text}, rule_{rule} {}
 
   [[nodiscard]] bool at_end() const { return place_ == text_.size(); }
-  /// Whether `sign` comes next; passes over it.
+  /// Whether `sign` is next; if so, skips it.
   bool passes(char sign) {
     const bool is_next = !at_end() && text_[place_] == sign;
     if (is_next) ++place_;
@@ -61,7 +61,7 @@ std::vector<std::uint64_t> read_number_list(const std::string& text, const Numbe
     }
     for (std::uint64_t offset = 0; offset <= last - first; ++offset) {
       if (!numbers.insert(first + offset).second) {
-        reader.refuse(std::to_string(first + offset) + " is in it twice");
+        reader.refuse(std::to_string(first + offset) + " is listed twice");
       }
     }
   } while (reader.passes(','));

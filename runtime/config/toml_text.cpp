@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostBytes = 4'000'000;
-// A key `a.b.c` makes a table inside a table for each dot, and the parser, which bounds only arrays and
+// A key `a.b.c` nests one table per dot. The parser, which limits only the depth of arrays and
 // inline tables (256), walks them recursively.
 constexpr int kMostDots = 16;
 
@@ -25,7 +25,7 @@ constexpr int kMostDots = 16;
   throw StartError{name + ":" + std::to_string(line) + ": " + reason};
 }
 
-/// Walks over TOML and counts the dots of each key. Dots in texts and comments do not count.
+/// Scans TOML and counts the dots of each key. Dots in strings and comments do not count.
 class DotCounter {
  public:
   DotCounter(std::string_view text, const std::string& name) : text_{text}, name_{name} {}
@@ -52,7 +52,7 @@ class DotCounter {
     if (std::string_view{"[]{},=\n"}.find(one) != std::string_view::npos) dots_ = 0;
     if (one == '\n') ++line_;
   }
-  /// Past a text in quotes; one that is not closed ends with its line or, in triple quotes, with the file.
+  /// Skips a quoted string; an unclosed one ends with its line or, in triple quotes, with the file.
   void pass_text(char quote) {
     const std::string triple(3, quote);
     const bool is_long = text_.substr(place_, 3) == triple;
@@ -84,14 +84,14 @@ std::string read_toml_file(const fs::path& file, const std::string& kind) {
   if (status.type() == fs::file_type::not_found) throw StartError{file.string() + ": no such " + kind};
   if (error) throw StartError{file.string() + ": " + error.message()};
   if (status.type() != fs::file_type::regular)
-    throw StartError{file.string() + ": is no " + kind + " but " +
-                     (fs::is_directory(status) ? "a folder" : "a device or pipe")};
+    throw StartError{file.string() + ": is " + (fs::is_directory(status) ? "a folder" : "a device or pipe") +
+                     ", not a " + kind};
   errno = 0;
   std::ifstream in{file, std::ios::binary};
   if (!in) throw StartError{file.string() + ": cannot be read: " + std::strerror(errno)};
   if (fs::file_size(file, error) > kMostBytes) {
     throw StartError{file.string() + ": is longer than " + std::to_string(kMostBytes / 1'000'000) +
-                     " MB, so it is no " + kind};
+                     " MB: not a " + kind};
   }
   return {std::istreambuf_iterator<char>{in}, {}};
 }

@@ -15,7 +15,7 @@
 namespace caravan::runtime {
 namespace {
 
-/// `pid/user/since`, as holder_name() ends.
+/// Parses `pid/user/since`, the end of a holder_name().
 std::optional<DomainHolder> holder_in(const std::string& text) {
   std::istringstream in{text};
   DomainHolder holder;

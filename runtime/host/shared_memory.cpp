@@ -21,13 +21,13 @@ namespace {
 
 const fs::path kFolder{"/dev/shm"};
 
-/// What the names of DDS's ports begin with.
+/// Prefix of the names of DDS's ports.
 const std::string& port_mark() {
   static const std::string mark = shared_memory_mark() + "port";
   return mark;
 }
 
-/// DDS files in the folder that a process has mapped.
+/// DDS files in `folder` that a process has mapped.
 std::set<std::string> mapped_by(const fs::path& process, const fs::path& folder = kFolder) {
   std::set<std::string> names;
   std::ifstream maps{process / "maps"};
@@ -63,12 +63,12 @@ bool is_of_a_port_of(const std::string& name, std::uint32_t domain) {
   return is_port_of(port, domain);
 }
 
-/// A segment's file is named like the segment, its lock like it with "_el" behind.
+/// A segment's file has the name of the segment; its lock has the suffix "_el".
 std::string without_lock_mark(const std::string& name) {
   return name.ends_with("_el") ? name.substr(0, name.size() - 3) : name;
 }
 
-/// The segment that a file goes with: itself, or that of a lock (_el, _sl) or a semaphore (sem.*_mutex).
+/// The segment that a file belongs to: itself, or that of a lock (_el, _sl) or a semaphore (sem.*_mutex).
 std::string segment_of(std::string name) {
   if (name.starts_with("sem.")) name = name.substr(4);
   for (const std::string_view mark : {"_el", "_sl", "_mutex"}) {
@@ -92,16 +92,16 @@ bool is_locked(const fs::path& file) {
   const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return false;
   const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) != 0;
-  close(descriptor);  // and with it our own lock
+  close(descriptor);  // also releases our own lock
   return locked;
 }
 
-/// Whether somebody who cannot be seen here, in another container for example, holds DDS's lock on it.
+/// Whether a process that is not visible here, such as one in another container, holds DDS's lock on it.
 bool is_held(const fs::path& folder, const std::string& segment) {
   return is_locked(folder / (segment + "_el")) || is_locked(folder / (segment + "_sl"));
 }
 
-/// Ours to remove, and too old to belong to somebody who is starting.
+/// Whether the user may remove it, and it is too old to belong to a starting process.
 bool is_ours_and_old(const fs::path& file) {
   constexpr std::time_t kOld_s = 60;
   struct stat facts {};
@@ -133,8 +133,8 @@ void SharedMemory::remove_leftovers() const {
   remove_unused([this](const std::string& name) {
     return is_of_a_port_of(name, domain_) || segments_.contains(without_lock_mark(name));
   });
-  // DDS never lets go of the segment of a process that it has heard, so this one has it mapped still. The
-  // lock tells whether the one that made it lives.
+  // DDS never releases the segment of a process that it has received from, so this one still has it mapped.
+  // The lock shows whether its creator is alive.
   std::error_code error;
   for (const std::string& segment : segments_) {
     if (is_held(kFolder, segment)) continue;

@@ -14,8 +14,8 @@
 namespace caravan::runtime {
 namespace {
 
-/// Closes every descriptor above standard error but those, which are sorted: sockets of DDS and locks of the
-/// parent are not the child's.
+/// Closes every descriptor above standard error except `kept`, which is sorted: the child must not inherit
+/// sockets of DDS and locks of the parent.
 void keep_only(const std::vector<int>& kept) {
   unsigned first = STDERR_FILENO + 1;
   for (const int one : kept) {
@@ -25,14 +25,14 @@ void keep_only(const std::vector<int>& kept) {
   close_range(first, ~0U, 0);
 }
 
-/// In the child between fork and exec: nothing but system calls.
+/// Runs in the child between fork and exec: only system calls.
 [[noreturn]] void become(const std::vector<char*>& arguments, int log, pid_t parent,
                          const SpawnOptions& options) {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   signal(SIGPIPE, SIG_DFL);
-  signal(SIGINT, SIG_DFL);  // a shell starts what runs in the background with SIGINT ignored
+  signal(SIGINT, SIG_DFL);  // a shell starts background programs with SIGINT ignored
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, options.when_parent_dies);
   if (getppid() != parent) _exit(1);

@@ -38,12 +38,11 @@ int run_process(const Program& program, int argc, char** argv,
   app.add_option("--domain", start.domain, "DDS domain, 0 to 232")->check(CLI::Range(0, 232));
   app.add_option("--lease", start.lease_s, "Seconds of silence after which this process counts as gone")
       ->check(CLI::Range(0.5, 60.0));
-  app.add_option("--transport", transport,
-                 "What DDS goes by: shm, udp (on 127.0.0.1) or a profile (FILE.xml)")
+  app.add_option("--transport", transport, "DDS transport: shm, udp (on 127.0.0.1) or a profile (FILE.xml)")
       ->check(complaint_about_transport)
       ->capture_default_str();
   app.add_flag("--check-config", start.check_only, "Check the configuration and end");
-  app.add_option("--log-level", level, "Least severe message shown")
+  app.add_option("--log-level", level, "Lowest severity shown")
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error"}));
   for (const NumberOption& option : program.numbers) {
     app.add_option(option.flag, *option.value, option.help)->required(option.required);
@@ -60,9 +59,9 @@ int run_process(const Program& program, int argc, char** argv,
     set_up_logging(program.name, level);
     return body(start, loop);
   } catch (const BeginAnew& anew) {
-    spdlog::warn("{}: beginning anew", anew.reason);
+    spdlog::warn("{}: restarting", anew.reason);
     execv("/proc/self/exe", argv);
-    spdlog::error("cannot begin anew: {}", std::strerror(errno));
+    spdlog::error("cannot restart: {}", std::strerror(errno));
     return kFailed;
   } catch (const StartError& error) {
     spdlog::error("{}", error.what());

@@ -6,7 +6,7 @@
 namespace caravan::runtime {
 namespace {
 
-// What the physics can step. Beyond it a body is no robot, and ODE's solver fails on it.
+// The range that the physics can step. ODE's solver fails on bodies outside it.
 constexpr Range kBody_m{0.02, 20.0};
 constexpr Range kWheel_m{0.005, 5.0};
 constexpr Range kMass_kg{0.05, 10000.0};

@@ -77,7 +77,7 @@ TEST_F(ForeignWriter, ThatDoesNotMatchIsNamedWithWhatItLacks) {
       << world_.output();
   EXPECT_TRUE(world_.prints("no match topic=rt/robot_2/command", kPatience)) << world_.output();
   EXPECT_THAT(world_.output(),
-              HasSubstr("\"/foreign\" is left out: the writer's durability is VOLATILE, the reader "
+              HasSubstr("\"/foreign\" is ignored: the writer's durability is VOLATILE, the reader "
                         "needs TRANSIENT_LOCAL"));
   EXPECT_THAT(world_.output(),
               HasSubstr("the writer's reliability is BEST_EFFORT, the reader needs RELIABLE"));

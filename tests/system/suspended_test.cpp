@@ -20,7 +20,7 @@ TEST_F(Suspended, AnAgentSuspendedForFiveSecondsComesBack) {
   ASSERT_TRUE(stays_suspended_for(std::max(5.0, 2.0 * short_lease_s())));
   ASSERT_TRUE(does("continue robot 2"));
   EXPECT_TRUE(happens("it is back", "gone is none and members is 4"));
-  EXPECT_TRUE(happens("it has begun anew", "log robot 2 has \"beginning anew\""));
+  EXPECT_TRUE(happens("it has restarted itself", "log robot 2 has \"restarting\""));
   EXPECT_TRUE(goes_on());
   EXPECT_TRUE(happens("it exchanges", "exchanges 2 > " + std::to_string(seen().robots.at(2).exchanges)));
 }

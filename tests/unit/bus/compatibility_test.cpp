@@ -47,7 +47,7 @@ TEST(WriterLacks, NothingWhenItOffersMoreThanIsNeeded) {
 TEST(WriterLacks, TakesADurabilityThatThereIsNot) {
   EndpointQos reader = qos_of(idl::kCommand);
   reader.durability = static_cast<Durability>(200);
-  EXPECT_THAT(writer_lacks(qos_of(idl::kCommand), reader), HasSubstr("of no known kind"));
+  EXPECT_THAT(writer_lacks(qos_of(idl::kCommand), reader), HasSubstr("of unknown kind"));
 }
 
 }  // namespace

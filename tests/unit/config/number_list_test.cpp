@@ -52,7 +52,7 @@ TEST(NumberList, RefusesNumbersOutOfBoundsAndNamesTheBounds) {
 TEST(NumberList, RefusesARangeThatRunsBackwards) { expect_refused("5-3", kRobots, "5-3 runs backwards"); }
 
 TEST(NumberList, RefusesANumberThatIsInItTwiceAndNamesIt) {
-  for (const std::string text : {"4,4", "1-5,4", "3-6,4"}) expect_refused(text, kRobots, "4 is in it twice");
+  for (const std::string text : {"4,4", "1-5,4", "3-6,4"}) expect_refused(text, kRobots, "4 is listed twice");
 }
 
 TEST(NumberList, RefusesMoreThanAnybodyMeans) {

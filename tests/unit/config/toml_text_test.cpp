@@ -86,10 +86,10 @@ class TomlFile : public testing::Test {
 
 TEST_F(TomlFile, ThatIsMissingAFolderADeviceOrAPipeIsRefusedAsSuch) {
   EXPECT_THAT(refusal_of(folder_ / "none.toml"), HasSubstr("none.toml: no such scenario file"));
-  EXPECT_THAT(refusal_of(folder_), HasSubstr("is no scenario file but a folder"));
-  EXPECT_THAT(refusal_of("/dev/zero"), HasSubstr("is no scenario file but a device or pipe"));
+  EXPECT_THAT(refusal_of(folder_), HasSubstr("is a folder, not a scenario file"));
+  EXPECT_THAT(refusal_of("/dev/zero"), HasSubstr("is a device or pipe, not a scenario file"));
   ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
-  EXPECT_THAT(refusal_of(folder_ / "pipe"), HasSubstr("is no scenario file but a device or pipe"));
+  EXPECT_THAT(refusal_of(folder_ / "pipe"), HasSubstr("is a device or pipe, not a scenario file"));
   EXPECT_THAT(refusal_of(folder_ / std::string(5000, 'x')), HasSubstr("File name too long"));
 }
 
