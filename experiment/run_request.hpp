@@ -12,19 +12,19 @@
 
 namespace caravan::experiment {
 
-/// One run as the command line asked for it, checked: what either engine is given.
+/// One run as requested on the command line, checked: the input of either engine.
 struct RunRequest {
   RunFacts facts;
   runtime::TomlDocument scenario;       ///< effective: the file with the command line's changes
-  std::filesystem::path folder;         ///< exists, this run's own, absolute
+  std::filesystem::path folder;         ///< exists, belongs to this run, absolute
   std::filesystem::path scenario_file;  ///< the effective scenario in it, for other processes to read
-  std::uint32_t domain = 0;             ///< of the dds engine: DDS domain, held by the caller
+  std::uint32_t domain = 0;             ///< for the dds engine: DDS domain, held by the caller
   runtime::Transport transport = runtime::Transport::kSharedMemory;
   std::uint32_t agents_per_process = 1;
   std::optional<std::filesystem::path>
-      trace;  ///< folder, existing, for the trace of every step; none: no trace
+      trace;  ///< existing folder for the trace of every step; none: no trace
   bool quiet = false;
-  runtime::Loop& loop;  ///< says when SIGINT or SIGTERM came
+  runtime::Loop& loop;  ///< reports SIGINT and SIGTERM
 };
 
 /// The two files of a trace.

@@ -9,17 +9,18 @@
 #include "robot_agent/core/types.hpp"
 #include "world_server/types.hpp"
 
-/// From one core's values to the other's: what the topics do between processes. Byte strings are moved.
+/// Conversion between the values of the cores, as the topics do between processes. Byte strings are moved.
 namespace caravan::experiment {
 
 [[nodiscard]] agent::Sensors to_sensors(const world::Senses& senses);
-/// @param wheel_limit_mps  the world's: faster wheels are told to turn that fast, undefined ones to stop
-/// @param refusals  counted up
+/// @param wheel_limit_mps  the world's limit: faster speeds are clamped to it, speeds that are not finite
+/// become a stop
+/// @param refusals  its counters are increased
 [[nodiscard]] world::Command to_command(const agent::Outputs& outputs, double wheel_limit_mps,
                                         Refusals& refusals);
-/// Takes the frames out of `outputs`.
+/// Moves the frames out of `outputs`.
 [[nodiscard]] radio::Transmission to_transmission(std::uint32_t robot, agent::Outputs& outputs);
-/// Takes the frames out of `reception`.
+/// Moves the frames out of `reception`.
 [[nodiscard]] std::vector<agent::ReceivedFrame> to_heard(radio::Reception& reception);
 [[nodiscard]] AgentReport to_report(std::uint32_t robot, const agent::Report& report);
 

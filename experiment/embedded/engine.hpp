@@ -17,27 +17,27 @@
 
 namespace caravan::experiment {
 
-/// World, air and agents of one scenario in one process, stepped together exactly as the processes are in
-/// lockstep: everybody senses, every agent answers, the frames are delivered with the poses of the same
-/// stamp, the world moves on.
+/// World, radio medium and agents of one scenario in one process, stepped together exactly as the processes
+/// are in lockstep: all robots sense, every agent answers, the frames are delivered with the poses of the
+/// same stamp, the world advances.
 class Engine {
  public:
   /// @throws runtime::StartError
   explicit Engine(const runtime::TomlDocument& scenario);
 
-  /// One step of everybody. @pre !finished()
-  /// @return what an observer sees of it, valid until the next call
+  /// One step of world, agents and radio. @pre !finished()
+  /// @return the observation of the step, valid until the next call
   const Observation& step();
-  /// What the last step led to, without reports: the observation that ends a run.
+  /// The state after the last step, without reports: the observation that ends a run.
   const Observation& last();
 
-  /// The run is decided: items delivered, or time over.
+  /// Whether the run is decided: all items delivered, or time over.
   [[nodiscard]] bool finished() const { return world_.finished(); }
   [[nodiscard]] Time now() const { return world_.now(); }
-  /// What the physics complained of in the last step; empty: nothing.
+  /// Warning of the physics in the last step; empty: none.
   [[nodiscard]] const std::string& complaint() const { return world_.complaint(); }
   [[nodiscard]] std::string digest() const;
-  /// What the last step added to the world's and to the radio's hash chain; valid until the next.
+  /// Bytes that the last step added to the world's and to the radio's hash chain; valid until the next step.
   [[nodiscard]] std::span<const std::uint8_t> world_link() const { return world_.chain_link(); }
   [[nodiscard]] std::span<const std::uint8_t> radio_link() const { return radio_link_.view(); }
   [[nodiscard]] const TimeSplit& time_split() const { return time_split_; }

@@ -5,8 +5,8 @@
 
 namespace caravan::experiment {
 
-/// Runs the experiment with all cores in this process, as fast as it goes (or at the clock when its pacing is
-/// realtime or free: here the two are the same), and stays until it is over.
+/// Runs the experiment with all cores in this process, as fast as possible (in real time when its pacing is
+/// realtime or free: here the two are the same), and returns when it is over.
 ///
 /// @return the exit code of `caravan run`
 /// @throws runtime::StartError

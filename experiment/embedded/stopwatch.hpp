@@ -5,10 +5,10 @@
 
 namespace caravan::experiment {
 
-/// Wall time from lap to lap.
+/// Wall time between laps.
 class Stopwatch {
  public:
-  /// Seconds since the last lap, at first since the construction.
+  /// Seconds since the last lap; the first time since construction.
   double lap_s() {
     const Clock::time_point now = Clock::now();
     const std::chrono::duration<double> lap = now - last_;

@@ -8,7 +8,7 @@
 
 namespace caravan::experiment {
 
-/// Where one robot's simulated time went. The first five add up to all the time accounted for, to the
+/// How one robot spent its simulated time. The first five add up to all the time accounted for, to the
 /// nanosecond.
 struct ActivityTimes {
   Time driving{0};
@@ -20,16 +20,16 @@ struct ActivityTimes {
   bool operator==(const ActivityTimes&) const = default;
 };
 
-/// Books the simulated time of one robot. Time counts as what the robot says it does, except where it is
-/// stuck: a window of 60 s in which it never gets 0.5 m away from where the window began and exchanges
-/// nothing is stuck from its first moment to its last.
+/// Accounts for the simulated time of one robot. Time counts as the activity that the robot reports, except
+/// where it is stuck: a window of 60 s counts as stuck, from start to end, if the robot never gets 0.5 m away
+/// from its position at the start of the window, and exchanges nothing.
 ///
-/// Windows begin at the first step of each simulated second, so a stuck stretch is known to a second.
+/// Windows begin at the first step of each simulated second, so stuck time is accurate to a second.
 class ActivityAccount {
  public:
-  /// Accounts for [from, from + duration), in which the robot left from `place`.
+  /// Accounts for [from, from + duration), at whose start the robot was at `place`.
   /// @param present  the robot took part; the time of an absent robot is idle and never stuck
-  /// @pre intervals follow one another without gap
+  /// @pre intervals follow each other without gap
   void add(Time from, Time duration, const Place& place, Activity activity, bool present);
 
   /// The times so far.
@@ -47,7 +47,7 @@ class ActivityAccount {
   void judge_windows(Time now, const Place& place);
   void settle_front();
 
-  std::deque<Slot> open_;  // the youngest window
+  std::deque<Slot> open_;  // the latest window
   ActivityTimes settled_;
   Time stuck_run_{0};
 };

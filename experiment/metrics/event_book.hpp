@@ -17,7 +17,7 @@ struct EventRow {
   std::string detail;
 };
 
-/// Turns observations into what happened to whom; docs/outputs.md has the events.
+/// Turns observations into rows of events.csv; docs/outputs.md lists the events.
 class EventBook {
  public:
   /// Robots are numbered 1 .. robots; reports of others are ignored.

@@ -8,11 +8,11 @@
 
 namespace caravan::experiment {
 
-/// Counts the exchanges of a run out of what the robots report of them.
+/// Counts the exchanges of a run from the robots' reports.
 ///
-/// Both robots report a session; it counts once, as completed when either says so. An attempt that ended
+/// Both robots report a session; it counts once, as completed if either reports it so. An attempt that ended
 /// before a session number was known (0) counts once for each robot that gave up. A pair may use a number
-/// again: reports that began more than 60 s apart are two sessions.
+/// again: reports of exchanges that began more than 60 s apart are two sessions.
 class ExchangeAccount {
  public:
   void add(std::uint32_t robot, const Exchange& exchange);

@@ -11,7 +11,7 @@
 
 namespace caravan::experiment {
 
-/// What a run came to for one robot.
+/// The results of a run for one robot.
 struct RobotResult {
   std::uint32_t id = 0;
   std::optional<Time> found;     ///< it found its first path itself
@@ -21,7 +21,7 @@ struct RobotResult {
   ActivityTimes times;
 };
 
-/// What a run came to. docs/outputs.md says what each number means.
+/// The results of a run. docs/outputs.md defines each number.
 struct Result {
   Time sim_time{0};
   std::uint32_t items_delivered = 0;
@@ -29,14 +29,14 @@ struct Result {
   std::size_t routes = 0;
   std::uint64_t exchanges_completed = 0;
   std::uint64_t exchanges_failed = 0;
-  double exchange_mean_s = 0.0;  ///< 0 when there was none
+  double exchange_mean_s = 0.0;  ///< 0 when there were no exchanges
   std::uint64_t robot_robot_contacts = 0;
   std::uint64_t robot_static_contacts = 0;
   std::uint64_t malformed_frames = 0;
   std::vector<RobotResult> robots{};  ///< sorted by id
 };
 
-/// What a progress line shows; cheap to ask for at any time.
+/// Content of a progress line; cheap to compute at any time.
 struct Progress {
   Time stamp{0};
   std::uint32_t items_delivered = 0;
@@ -45,13 +45,13 @@ struct Progress {
   std::uint64_t exchanges_failed = 0;
 };
 
-/// Gathers the numbers of a run from its observations, step by step.
+/// Computes the results of a run from its observations, step by step.
 class Metrics {
  public:
   /// Robots are numbered 1 .. robots.
   explicit Metrics(std::uint32_t robots);
 
-  /// @pre stamps never go back. Ids that no robot has are ignored.
+  /// @pre stamps never decrease. Unknown ids are ignored.
   void observe(const Observation& observation);
 
   /// The result as of the last observation.

@@ -8,9 +8,9 @@
 
 namespace caravan::experiment {
 
-/// The text of metrics.json. Its keys are a contract with tools outside: keys are added, never renamed.
+/// The text of metrics.json. External tools rely on its keys: keys are added, never renamed.
 ///
-/// @param ended  false: an interim state, written in case that the run never gets to its end
+/// @param ended  false: an interim state, written in case the run never reaches its end
 [[nodiscard]] std::string metrics_json(const RunFacts& facts, const Result& result, const RunEnd& end,
                                        bool ended = true);
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-/// What an observer sees of a run, whichever engine drives it: values of their own, so that neither the agent
-/// nor the world is known here.
+/// What an observer sees of a run, whichever engine executes it. The types are independent of those of agent
+/// and world.
 namespace caravan::experiment {
 
 /// Simulated time since the session began.
@@ -32,7 +32,7 @@ struct TruePose {
   double yaw_rad = 0.0;
 };
 
-/// Began in the step that led to the stamp.
+/// A contact that began in the step that led to the stamp.
 struct Contact {
   std::uint32_t robot = 0;
   std::uint32_t other = 0;  ///< the other robot, 0: something static
@@ -44,7 +44,7 @@ struct ItemEvent {
   std::uint32_t robot = 0;
 };
 
-/// One communication attempt as one of its two robots tells it, from stopping to resuming.
+/// One communication attempt as reported by one of its two robots, from stopping to resuming.
 struct Exchange {
   std::uint32_t partner = 0;
   std::uint32_t session = 0;  ///< 0: given up before a number was known
@@ -59,7 +59,7 @@ struct Event {
   std::string detail;
 };
 
-/// What one agent says of itself at the stamp; whatever it says stays in force until its next report.
+/// What one agent reports at the stamp; the report applies until its next one.
 struct AgentReport {
   std::uint32_t robot = 0;
   Mode mode = Mode::kExplore;
@@ -67,23 +67,23 @@ struct AgentReport {
   Origin origin = Origin::kNone;
   bool towards_destination = false;
   std::uint32_t trips = 0;
-  std::uint64_t malformed_frames = 0;  ///< heard so far
+  std::uint64_t malformed_frames = 0;  ///< received so far
   bool path_changed = false;
   std::vector<Place> path;  ///< from source to destination; meaningful when path_changed
   std::vector<Exchange> exchanges;
   std::vector<Event> events;
 };
 
-/// One stamp: where everybody is, what the step that led here brought, and what the agents reported on
-/// sensing it. The last observation of a run carries what its deciding step brought and no reports.
+/// One stamp: the poses of all robots, the results of the step that led to it, and the agents' reports at it.
+/// The last observation of a run has the results of its deciding step and no reports.
 struct Observation {
   Time stamp{0};
-  bool last = false;                   ///< the run is decided: no step follows and nobody takes part in it
-  std::vector<TruePose> poses;         ///< of all robots, sorted by robot
-  std::vector<std::uint32_t> members;  ///< robots that take part in this step, sorted
-  std::vector<Contact> contacts;       ///< of the step that led here
-  std::vector<ItemEvent> item_events;  ///< of the step that led here
-  std::uint32_t items_delivered = 0;   ///< in all
+  bool last = false;                       ///< the run is decided: no step follows, and there are no members
+  std::vector<TruePose> poses;             ///< of all robots, sorted by robot
+  std::vector<std::uint32_t> members;      ///< robots that take part in this step, sorted
+  std::vector<Contact> contacts;           ///< of the step that led here
+  std::vector<ItemEvent> item_events;      ///< of the step that led here
+  std::uint32_t items_delivered = 0;       ///< total
   std::vector<AgentReport> agent_reports;  ///< at most one for each robot, sorted by robot
 };
 

@@ -12,10 +12,10 @@ namespace caravan::experiment {
 
 /// The text of one progress line.
 ///
-/// @param speed  simulated over wall time
+/// @param speed  simulated time divided by wall time
 [[nodiscard]] std::string progress_text(const RunFacts& facts, const Progress& progress, double speed);
 
-/// Shows how a run goes on: one line that is rewritten in place on a terminal, elsewhere a new line every
+/// Shows the progress of a run: on a terminal one line that is rewritten in place, elsewhere a new line every
 /// 5 s.
 class ProgressLine {
  public:
@@ -24,9 +24,9 @@ class ProgressLine {
   /// @param out  null: shows nothing
   explicit ProgressLine(std::FILE* out);
 
-  /// To be called as often as convenient: shows something when it is time.
+  /// Call it as often as convenient: prints when a new line is due.
   void update(const RunFacts& facts, const Progress& progress, Clock::time_point now);
-  /// Leaves the terminal on a fresh line.
+  /// Ends the line on a terminal.
   void close();
 
  private:

@@ -11,19 +11,18 @@
 
 namespace caravan::experiment {
 
-/// tracks.csv, trips.csv, events.csv, activities.csv and path_lengths.csv of a run, written while it goes on.
+/// tracks.csv, trips.csv, events.csv, activities.csv and path_lengths.csv of a run, written during the run.
 /// docs/outputs.md has the columns.
 class RecordFiles {
  public:
   /// @throws runtime::StartError when a file cannot be written
   RecordFiles(const std::filesystem::path& folder, std::uint32_t robots);
 
-  /// @pre stamps never go back
+  /// @pre stamps never decrease
   void observe(const Observation& observation);
   /// @throws runtime::WriteError
   void flush();
-  /// Adds the trips that are still under way; to be called once, after the last observation, before the last
-  /// flush().
+  /// Adds the unfinished trips; call it once, after the last observation and before the last flush().
   void finish();
 
  private:

@@ -8,7 +8,7 @@
 
 namespace caravan::experiment {
 
-/// What a run came to, for a person: several lines of at most 100 columns.
+/// The results of a run as readable text: several lines of at most 100 columns.
 [[nodiscard]] std::string result_table(const RunFacts& facts, const Result& result, const RunEnd& end);
 
 }  // namespace caravan::experiment

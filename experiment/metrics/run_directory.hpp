@@ -8,16 +8,16 @@
 
 namespace caravan::experiment {
 
-/// Makes the folder that a run writes to; never one that holds something already.
+/// Creates the folder that a run writes to; never uses one with content.
 ///
-/// @param wanted  the folder that the user asked for; it may exist when it is empty. Without it the folder is
-///                runs/<scenario>-<mode>-<seed>-<yyyymmdd-hhmmss> (local time) below the working directory,
-///                with -2, -3, ... when that exists.
+/// @param wanted  the folder that the user asked for; it may exist if it is empty. Without it the folder is
+///                runs/<scenario>-<mode>-<seed>-<yyyymmdd-hhmmss> (local time) in the working directory,
+///                with -2, -3, ... if that exists.
 /// @throws runtime::StartError
 [[nodiscard]] std::filesystem::path make_run_directory(const std::optional<std::filesystem::path>& wanted,
                                                        const RunFacts& facts);
 
-/// The whole text as a file at once: a reader sees the old or the new text, never a part.
+/// Replaces a file's text atomically: a reader sees the old or the new text, never a part.
 /// @throws runtime::WriteError when it cannot be written; the old text stays
 void write_whole_file(const std::filesystem::path& file, const std::string& text);
 

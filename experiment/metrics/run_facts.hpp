@@ -9,18 +9,18 @@
 
 namespace caravan::experiment {
 
-/// What is known of a run before it begins.
+/// The facts of a run that are known before it begins.
 struct RunFacts {
   std::string scenario;  ///< its name
   std::string engine;    ///< dds, embedded
   std::string mode;      ///< none, partial, full
   std::uint64_t seed = 1;
   std::uint32_t robots = 0;
-  std::uint32_t items = 0;  ///< deliveries that end it; 0: it ends with the time
+  std::uint32_t items = 0;  ///< deliveries that end it; 0: only max_time ends it
   Time max_time{0};         ///< simulated
 };
 
-/// Wall time that the parts of a run took, seconds.
+/// Wall time spent in the parts of a run, seconds.
 struct TimeSplit {
   double physics_s = 0.0;
   double sensors_s = 0.0;
@@ -29,20 +29,20 @@ struct TimeSplit {
   double transport_s = 0.0;
 };
 
-/// What did not go through, in the whole run.
+/// Commands and frames that were refused or lost in the whole run.
 struct Refusals {
   std::uint64_t commands_refused = 0;  ///< a speed was not finite: both wheels stopped
   std::uint64_t commands_clamped = 0;  ///< beyond the wheel limit
   std::uint64_t frames_over_mtu = 0;
   std::uint64_t frames_on_bad_channel = 0;
   std::uint64_t frames_lost = 0;  ///< by the scenario's loss probability or a rule of `caravan ctl radio`
-  std::uint64_t frames_queue_full = 0;  ///< the receiver had enough of the step
+  std::uint64_t frames_queue_full = 0;  ///< the receiver's limit for the step was reached
 };
 
-/// What the engine knows of a run, at its end or so far.
+/// What the engine knows about a run, at its end or so far.
 struct RunEnd {
   std::string digest;      ///< 16 hex digits
-  bool disturbed = false;  ///< a process was lost or came back
+  bool disturbed = false;  ///< a process was lost or rejoined, or the run was steered
   bool interrupted = false;
   std::string failure;  ///< why it ended early; empty: it did not
   TimeSplit time_split;
@@ -53,11 +53,11 @@ struct RunEnd {
 
 enum class Outcome : std::uint8_t { kCompleted, kTimeOver, kInterrupted, kFailed };
 
-/// Completed means that all items were delivered, or that the whole time was run when there are none to
-/// deliver.
+/// Completed means that all items were delivered, or, if there are none to deliver, that the run lasted its
+/// full time.
 [[nodiscard]] Outcome outcome_of(const RunFacts& facts, const RunEnd& end, std::uint32_t items_delivered,
                                  Time sim_time);
-/// 0, 1 or 130: what `caravan run` exits with.
+/// 0, 1 or 130: the exit code of `caravan run`.
 [[nodiscard]] int exit_code_of(Outcome outcome);
 
 }  // namespace caravan::experiment

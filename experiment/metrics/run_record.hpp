@@ -14,33 +14,33 @@
 
 namespace caravan::experiment {
 
-/// Everything that an engine does with its observations: metrics, the files of the run and the progress line.
+/// Processes the observations of an engine: metrics, the files of the run and the progress line.
 ///
-/// Files are flushed and metrics.json and paths.csv are written anew once a second of wall time, so that the
-/// death of the process loses nothing older. When the disk is full the record ends: the rows are whole until
-/// then, and metrics.json, for which some room was kept, says why.
+/// Files are flushed and metrics.json and paths.csv are rewritten once a second of wall time, so that the
+/// death of the process loses nothing older. When the disk is full the record ends: all rows up to then are
+/// whole, and metrics.json, for which space was reserved, gives the reason.
 class RunRecord {
  public:
-  /// @param folder  exists and is this run's own
-  /// @param out     where progress goes; null: nowhere
+  /// @param folder  exists and belongs to this run
+  /// @param out     receives the progress; null: no progress
   /// @throws runtime::StartError when a file cannot be written
   RunRecord(RunFacts facts, std::filesystem::path folder, std::FILE* out);
 
-  /// @pre stamps never go back
+  /// @pre stamps never decrease
   void observe(const Observation& observation);
-  /// To be called at least once a second of wall time, however often: shows progress and flushes when due.
-  /// @param so_far  what the engine knows by now; asked for only when something is due
+  /// Call it at least once a second of wall time, however often: shows progress and flushes when due.
+  /// @param so_far  what the engine knows so far; called only when something is due
   void keep_up(const std::function<RunEnd()>& so_far);
-  /// False: a file could not be written any more, and the run should end.
+  /// False: a file can no longer be written, and the run should end.
   [[nodiscard]] bool is_whole() const { return failure_.empty(); }
-  /// Writes what is left, says on stderr when that was not possible, and prints the result table to stdout
-  /// unless `out` is null.
+  /// Writes the rest, reports on stderr if that failed, and prints the result table to stdout unless `out` is
+  /// null.
   /// @return the exit code of the run
   int close(RunEnd end);
 
  private:
   void write_summary(const RunEnd& end, bool ended);
-  /// Does it, or keeps why not. The first reason counts.
+  /// Calls `write`, or keeps the reason of its failure. The first reason counts.
   void attempt(const std::function<void()>& write);
 
   RunFacts facts_;

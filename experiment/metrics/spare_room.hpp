@@ -6,8 +6,8 @@
 
 namespace caravan::experiment {
 
-/// Room on a disk that is kept free for last words: a file without a name, gone with this process at the
-/// latest. On file systems that know no such files, and on disks without so much room, nothing is kept.
+/// Disk space reserved for the final files: a file without a name, which disappears with this process at the
+/// latest. On file systems without such files, and on disks without enough space, nothing is reserved.
 class SpareRoom {
  public:
   SpareRoom(const std::filesystem::path& folder, std::uint64_t bytes);
@@ -15,11 +15,11 @@ class SpareRoom {
   SpareRoom(const SpareRoom&) = delete;
   SpareRoom& operator=(const SpareRoom&) = delete;
 
-  /// Gives it to whoever writes next.
+  /// Frees the space for the next writes.
   void release();
 
  private:
-  int descriptor_;  // below 0: nothing is kept
+  int descriptor_;  // below 0: nothing is reserved
 };
 
 }  // namespace caravan::experiment

@@ -11,9 +11,10 @@
 
 namespace caravan::experiment {
 
-/// Everything that a file says; none when there is none.
-/// @throws runtime::StartError when something of this name is there that cannot be read as a file of ours: a
-///         folder, a device, somebody else's, or longer than any of them is
+/// The content of a file; none if it does not exist.
+/// @throws runtime::StartError when the path exists but cannot be read as one of our files: a folder, a
+/// device,
+///         no permission, or too long
 [[nodiscard]] inline std::optional<std::string> text_in(const std::filesystem::path& file) {
   namespace fs = std::filesystem;
   constexpr std::uintmax_t kMostBytes = 256'000'000;

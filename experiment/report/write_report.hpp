@@ -7,12 +7,12 @@
 
 namespace caravan::experiment {
 
-/// `caravan report`: has the drawing program in experiment/report/ write the report of recorded runs and
-/// waits for it.
+/// `caravan report`: starts the drawing program in experiment/report/, which writes the report of recorded
+/// runs, and waits for it.
 ///
-/// @param folders  of runs, or folders that hold some
-/// @param out      where to; none: report/ in the first folder
-/// @return exit code: 0 written, 1 no run could be read, 2 the program or what it needs is missing
+/// @param folders  folders of runs, or folders that contain some
+/// @param out      target folder; none: report/ in the first folder
+/// @return exit code: 0 written, 1 no run could be read, 2 the program or one of its dependencies is missing
 /// @throws runtime::StartError when the program cannot be found or started
 [[nodiscard]] int write_report(const std::vector<std::filesystem::path>& folders,
                                const std::optional<std::filesystem::path>& out);

@@ -7,7 +7,7 @@
 
 namespace caravan::experiment {
 
-/// What a box plot shows of a sample.
+/// The numbers of a sample's box plot.
 struct FiveNumbers {
   std::size_t n = 0;
   double minimum = 0.0;
@@ -17,9 +17,9 @@ struct FiveNumbers {
   double maximum = 0.0;
 };
 
-/// Quartiles interpolate linearly between the sorted values: the quantile p lies at place p (n - 1), counted
-/// from 0 (type 7 of Hyndman and Fan, Sample Quantiles in Statistical Packages, The American Statistician 50,
-/// 1996; what NumPy and R do by default).
+/// Quartiles are interpolated linearly between the sorted values: the quantile p is at position p (n - 1),
+/// counted from 0 (type 7 of Hyndman and Fan, Sample Quantiles in Statistical Packages, The American
+/// Statistician 50, 1996; the default of NumPy and R).
 ///
 /// @return none for an empty sample
 [[nodiscard]] std::optional<FiveNumbers> five_numbers(std::vector<double> sample);

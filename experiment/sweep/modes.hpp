@@ -6,9 +6,9 @@
 
 namespace caravan::experiment {
 
-/// The modes that a text such as `none,full` names, in the order given.
+/// Reads a list of modes such as `none,full`; keeps the order.
 ///
-/// @throws runtime::StartError when it names something that is no mode, or one twice
+/// @throws runtime::StartError for an unknown mode or one that is named twice
 [[nodiscard]] std::vector<std::string> read_modes(const std::string& text);
 
 }  // namespace caravan::experiment

@@ -12,10 +12,10 @@ namespace caravan::experiment {
 struct PlannedRun {
   std::string mode;
   std::uint64_t seed = 0;
-  std::string scenario_text;  ///< what its scenario.toml must say
+  std::string scenario_text;  ///< required content of its scenario.toml
 };
 
-/// The runs of a sweep, mode by mode and within a mode seed by seed; a run's place in it is its index.
+/// The runs of a sweep, mode by mode and within a mode seed by seed; a run's position in it is its index.
 struct SweepPlan {
   std::string scenario;       ///< its name
   std::string scenario_text;  ///< effective: the file with the command line's changes, its own mode and seed

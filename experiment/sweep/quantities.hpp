@@ -12,9 +12,9 @@ namespace caravan::experiment {
 /// The metrics that are a column of runs.csv and a row of summary.csv, in this order.
 [[nodiscard]] const std::vector<Metric>& quantities();
 
-/// Their values in a run's metrics.json, in the same order; none where the run has no such number.
+/// Their values in a run's metrics.json, in the same order; none if the run has no such number.
 ///
-/// @throws std::exception when something is missing or of another kind
+/// @throws std::exception when a value is missing or has the wrong type
 [[nodiscard]] std::vector<std::optional<double>> values_in(const nlohmann::json& metrics);
 
 }  // namespace caravan::experiment

@@ -12,30 +12,31 @@
 namespace caravan::experiment {
 
 enum class RunState : std::uint8_t {
-  kPending,  ///< not run yet, or ended half way: it is to be run
+  kPending,  ///< not run yet, or ended prematurely: still to be run
   kRunning,
-  kDone,   ///< has a result, which may be that the time ran out
-  kFailed  ///< could not be run or broke; stays in the table
+  kDone,   ///< has a result, which may be that its time limit was reached
+  kFailed  ///< could not start or crashed; stays in the table
 };
 [[nodiscard]] std::string to_text(RunState state);
 
-/// One run as the table shows it.
+/// One run as shown in the table.
 struct RunRow {
   RunState state = RunState::kPending;
   std::string reason = {};                         ///< why it failed
-  std::string digest = {};                         ///< of a run that is done
+  std::string digest = {};                         ///< digest of a run that is done
   std::vector<std::optional<double>> values = {};  ///< by quantities(); empty unless done
 };
 
-/// What the folder of a run says about it: failed when note_failure() left a reason in it, or metrics.json
-/// tells of one or holds something else than a run writes; done when metrics.json is complete; everything
-/// else is pending.
+/// The state of a run according to its folder: failed when note_failure() left a reason in it, or
+/// metrics.json contains a failure or values of the wrong type; done when metrics.json is complete; otherwise
+/// pending.
 ///
-/// @throws runtime::StartError when the folder holds a run of another scenario, or one of its files, or the
+/// @throws runtime::StartError when the folder holds a run of another scenario, or when one of its files, or
+/// the
 ///         folder itself, is something else
 [[nodiscard]] RunRow look_at(const std::filesystem::path& sweep_folder, const PlannedRun& run);
 
-/// Leaves the reason of a failure beside what the run wrote, for this and later sweeps to find.
+/// Writes the reason of a failure into the run's folder, for this and later sweeps.
 void note_failure(const std::filesystem::path& sweep_folder, const PlannedRun& run,
                   const std::string& reason);
 

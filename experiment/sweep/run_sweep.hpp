@@ -10,25 +10,26 @@
 
 namespace caravan::experiment {
 
-/// A sweep as the command line asked for it, checked.
+/// A sweep as requested on the command line, checked.
 struct SweepRequest {
   SweepPlan plan;
   std::filesystem::path folder;     ///< absolute
-  std::size_t jobs = 1;             ///< runs at a time
-  std::optional<std::size_t> task;  ///< this run of the plan only, and no tables
-  bool summarise = false;           ///< the tables of what is there, and no runs
+  std::size_t jobs = 1;             ///< number of parallel runs
+  std::optional<std::size_t> task;  ///< index of the only run to execute, without tables
+  bool summarise = false;           ///< writes the tables of existing runs, and executes none
   bool retry_failed = false;
   bool quiet = false;
-  runtime::Loop& loop;  ///< says when SIGINT or SIGTERM came
+  runtime::Loop& loop;  ///< reports SIGINT and SIGTERM
 };
 
-/// Does the runs of the plan that have no result yet, each a process of its own (so the crash of one is a
-/// failed run in the table), and writes the tables after each.
+/// Executes the runs of the plan that have no result yet, each in its own process (so a crash is a failed run
+/// in the table), and writes the tables after each.
 ///
-/// @return 0: every run (of the task: the run) is done; 1: some failed, or were not there to summarise; 130:
-///         interrupted, the same call goes on
+/// @return 0: every run (with `task`: that run) is done; 1: some failed, or are missing with `summarise`;
+/// 130:
+///         interrupted; the same call continues
 /// @throws runtime::StartError
-/// @throws std::runtime_error when a file cannot be written any more
+/// @throws std::runtime_error when a file can no longer be written
 [[nodiscard]] int run_sweep(const SweepRequest& request);
 
 }  // namespace caravan::experiment

@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-/// One step of a run as docs/digest.md lays it out in bytes.
+/// One step of a run; docs/digest.md defines its bytes.
 namespace caravan::experiment {
 
 struct TracedCommand {
-  bool given = false;  ///< false: none came, the wheels were stopped
+  bool given = false;  ///< false: none was given, the wheels were stopped
   double left_mps = 0.0;
   double right_mps = 0.0;
   bool gripper_closed = false;
@@ -28,7 +28,7 @@ struct TracedFrame {
   bool operator==(const TracedFrame&) const = default;
 };
 
-/// A robot that was put elsewhere before the step.
+/// A robot that was moved, removed or added before the step.
 struct TracedPlacement {
   std::uint64_t robot = 0;
   std::vector<TracedPose> poses;  ///< of all robots after it
@@ -52,7 +52,7 @@ struct RadioStep {
   std::map<std::uint64_t, std::vector<TracedFrame>> heard;  ///< by robot
 };
 
-/// @throws std::runtime_error when the bytes are not exactly one step of so many robots
+/// @throws std::runtime_error when the bytes are not exactly one step of `robots` robots
 [[nodiscard]] WorldStep read_world_step(std::span<const std::uint8_t> bytes, std::uint32_t robots);
 /// @throws std::runtime_error when the bytes are not exactly one step
 [[nodiscard]] RadioStep read_radio_step(std::span<const std::uint8_t> bytes);

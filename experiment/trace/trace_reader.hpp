@@ -9,16 +9,16 @@
 
 namespace caravan::experiment {
 
-/// Reads what runtime::TraceFile wrote, step by step.
+/// Reads a file written by runtime::TraceFile, step by step.
 class TraceReader {
  public:
   /// @param part  runtime::kWorldTrace or kRadioTrace
-  /// @throws runtime::StartError when there is no such file or it is no trace of this part
+  /// @throws runtime::StartError when the file does not exist or is not a trace of this part
   TraceReader(std::filesystem::path file, const std::string& part);
 
-  /// The bytes of the next step in `step`. @return false: no whole step is left
+  /// Reads the bytes of the next step into `step`. @return false: no whole step is left
   bool next(std::vector<std::uint8_t>& step);
-  /// After the last step: a part of one more is there. The process that wrote it was killed.
+  /// After the last step: whether a part of another follows. The process that wrote it was killed.
   [[nodiscard]] bool cut_off() const { return cut_off_; }
   [[nodiscard]] std::uint32_t robots() const { return robots_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
