@@ -16,12 +16,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Paces a run and notices the wish to stop.
+/// Paces a run and notices a request to stop.
 class Pace {
  public:
   Pace(runtime::Loop& loop, bool at_the_clock) : loop_{loop}, at_the_clock_{at_the_clock} {}
 
-  /// Waits until the step at `stamp` is due. @return false when the run is to stop
+  /// Waits until the step at `stamp` is due. @return false when the run must stop
   [[nodiscard]] bool wait_for(Time stamp) {
     if (at_the_clock_) return loop_.wait(began_ + stamp) != runtime::Loop::Woken::kStop;
     const Clock::time_point now = Clock::now();
@@ -40,7 +40,7 @@ class Pace {
   Clock::time_point asked_{};
 };
 
-/// The run's trace, when one is asked for.
+/// The run's trace, if one was requested.
 class Trace {
  public:
   explicit Trace(const RunRequest& request) {

@@ -81,7 +81,7 @@ int CsvFile::write_pending() {
 }
 
 std::size_t CsvFile::whole_rows(std::size_t bytes) const {
-  return bytes == 0 ? 0 : pending_.rfind('\n', bytes - 1) + 1;  // npos + 1 is 0: not one
+  return bytes == 0 ? 0 : pending_.rfind('\n', bytes - 1) + 1;  // npos + 1 is 0: no whole row
 }
 
 std::size_t CsvFile::take_back(std::size_t bytes) const {

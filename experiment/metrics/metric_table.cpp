@@ -22,7 +22,7 @@ bool is_completed(const RunView& run) {
          Outcome::kCompleted;
 }
 
-/// Robots that have this number.
+/// Number of robots that have a value for `key`.
 double count_with(Robots robots, std::string_view key) {
   return static_cast<double>(
       std::ranges::count_if(robots, [key](const RobotNumbers& one) { return one(key).has_value(); }));
@@ -50,7 +50,7 @@ double without_path(Robots robots) {
       robots, [](const RobotNumbers& one) { return !one("found_s") && !one("received_s"); }));
 }
 
-// The indent shows one row a metric: key, column, unit and meaning, then the value.
+// One row per metric: key, column, unit and meaning, then the value.
 // clang-format off
 const std::array kMetrics{
     Metric{.key = "scenario", .meaning = "key `name` of the scenario; without it, the name of its file",

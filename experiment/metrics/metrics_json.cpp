@@ -46,7 +46,7 @@ std::string metrics_json(const RunFacts& facts, const Result& result, const RunE
     if (metric.key.empty()) continue;
     member(json, metric.key) = metric.of_run == nullptr ? robots_json(result) : to_json(metric.of_run(run));
   }
-  // What is not UTF-8 in what others have said is replaced.
+  // Bytes that are not UTF-8, in texts of other participants, are replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -34,10 +34,10 @@ std::string heading(const RunFacts& facts, const Result& result, const RunEnd& e
                      "  engine " + facts.engine + ": ";
   switch (outcome_of(facts, end, result.items_delivered, result.sim_time)) {
     case Outcome::kCompleted:
-      text += facts.items == 0 ? "the time was run" : "all items delivered";
+      text += facts.items == 0 ? "ran for its full time" : "all items delivered";
       break;
     case Outcome::kTimeOver:
-      text += "the time ran out";
+      text += "time limit reached";
       break;
     case Outcome::kInterrupted:
       text += "interrupted";
@@ -49,12 +49,12 @@ std::string heading(const RunFacts& facts, const Result& result, const RunEnd& e
   return text + (end.disturbed ? " (disturbed)" : "") + "\n";
 }
 
-/// The metrics of one run by their names, as people read them.
+/// The metrics of one run by name, as readable text.
 class Shown {
  public:
   explicit Shown(const RunView& run) : run_{run}, robots_{numbers_of_robots(run.result)} {}
 
-  /// @param name  its key, or its column when it has no key. A name that no metric has is a bug.
+  /// @param name  its key, or its column if it has no key. An unknown name is a bug.
   [[nodiscard]] MetricValue value(std::string_view name) const {
     const Metric* metric = find_metric(name);
     if (metric != nullptr) return metric->of_run(run_);
@@ -134,8 +134,8 @@ std::string result_table(const RunFacts& facts, const Result& result, const RunE
   text += path_line(shown, result);
   text += "exchanges   " + shown("exchanges.completed") + " completed, " + shown("exchanges.failed") +
           " failed; mean duration " + shown("exchanges.mean_duration_s", 2) + " s\n";
-  text += "contacts    " + shown("contacts.robot_robot") + " robot with robot, " +
-          shown("contacts.robot_static") + " robot with something static\n";
+  text += "contacts    " + shown("contacts.robot_robot") + " between robots, " +
+          shown("contacts.robot_static") + " with static objects\n";
   text += "digest      " + shown("digest") + "\n";
   for (const std::string& one : end.strangers) text += "stranger    " + one + "\n";
   text += "\n" + robots_heading();

@@ -33,7 +33,7 @@ std::vector<Place> resample(std::span<const Place> path, double spacing_m) {
   const auto pieces = static_cast<std::size_t>(std::ceil(length_m / spacing_m));
   std::vector<Place> result{path.front()};
   std::size_t segment = 1;
-  double before_m = 0.0;  // length up to the vertex that `segment` begins at
+  double before_m = 0.0;  // length up to the first vertex of `segment`
   for (std::size_t i = 1; i < pieces; ++i) {
     const double wanted_m = length_m * static_cast<double>(i) / static_cast<double>(pieces);
     double own_m = distance_m(path[segment - 1], path[segment]);
@@ -55,10 +55,10 @@ bool is_frechet_below(std::span<const Place> a, std::span<const Place> b, double
   CARAVAN_ASSERT(!a.empty() && !b.empty());
   if (distance_m(a.front(), b.front()) >= limit_m || distance_m(a.back(), b.back()) >= limit_m) return false;
   const double square_m2 = limit_m * limit_m;
-  // reachable[j]: some walk comes to (row's vertex of a, b[j]) without ever being too far apart.
+  // reachable[j]: some walk reaches (row's vertex of a, b[j]) without ever being too far apart.
   std::vector<char> reachable(b.size(), 0);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    char diagonal = i == 0 ? 1 : 0;  // the row before, one vertex of b back; the walk starts at (0, 0)
+    char diagonal = i == 0 ? 1 : 0;  // previous row, previous vertex of b; the walk starts at (0, 0)
     char left = 0;
     char any = 0;
     for (std::size_t j = 0; j < b.size(); ++j) {

@@ -27,7 +27,7 @@ std::string wall_clock() {
 void make_wanted(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw runtime::StartError{folder.string() + ": cannot be made: " + error.message()};
+  if (error) throw runtime::StartError{folder.string() + ": cannot be created: " + error.message()};
   const bool empty = fs::is_empty(folder, error);
   if (error) throw runtime::StartError{folder.string() + ": cannot be read: " + error.message()};
   if (!empty) throw runtime::StartError{folder.string() + ": is not empty; choose another --out"};
@@ -46,7 +46,7 @@ fs::path make_run_directory(const std::optional<fs::path>& wanted, const RunFact
                                             std::to_string(facts.seed) + "-" + wall_clock());
   fs::path folder = base;
   for (int again = 2; !fs::create_directory(folder, error); ++again) {
-    if (error) throw runtime::StartError{folder.string() + ": cannot be made: " + error.message()};
+    if (error) throw runtime::StartError{folder.string() + ": cannot be created: " + error.message()};
     folder = base.string() + "-" + std::to_string(again);
   }
   return folder;

@@ -11,10 +11,10 @@
 namespace caravan::experiment {
 namespace {
 
-/// Below the second that is promised, so that a late call still keeps it.
+/// Shorter than the promised second, so that a late call still keeps the promise.
 constexpr std::chrono::milliseconds kFlushPeriod{800};
 
-/// For metrics.json, for which some hundred bytes a robot are enough, and for paths.csv in most runs.
+/// Enough for metrics.json, with some hundred bytes per robot, and for paths.csv in most runs.
 std::uint64_t room_for_last_words(std::uint32_t robots) { return (64 + std::uint64_t{robots}) * 1024; }
 
 std::string paths_csv(const std::vector<std::vector<Place>>& paths) {

@@ -23,9 +23,9 @@ namespace caravan::experiment {
   if (status.type() == fs::file_type::not_found) return std::nullopt;
   if (error) throw runtime::StartError{file.string() + ": cannot be read: " + error.message()};
   if (status.type() != fs::file_type::regular)
-    throw runtime::StartError{file.string() +
-                              (fs::is_directory(status) ? ": is a folder, not a file" : ": is no file")};
-  if (fs::file_size(file, error) > kMostBytes) throw runtime::StartError{file.string() + ": is far too long"};
+    throw runtime::StartError{
+        file.string() + (fs::is_directory(status) ? ": is a folder, not a file" : ": is not a regular file")};
+  if (fs::file_size(file, error) > kMostBytes) throw runtime::StartError{file.string() + ": is too long"};
   std::ifstream in{file, std::ios::binary};
   if (!in) throw runtime::StartError{file.string() + ": cannot be read"};
   return std::string{std::istreambuf_iterator<char>{in}, {}};

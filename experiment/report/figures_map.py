@@ -12,7 +12,7 @@ from picture import ByMode, Picture
 from quantities import typical
 from traffic import lost_to_traffic_map
 
-CELLS = 50  # along the longer side of the arena
+CELLS = 50  # number of cells along the longer side of the arena
 
 
 def map_row(count: int) -> tuple[Figure, list]:
@@ -93,7 +93,7 @@ def draw_traffic_map(runs: ByMode) -> Figure:
         mesh = axes.pcolormesh(edges_x, edges_y, shown, norm=norm, cmap="viridis_r", zorder=4, rasterized=True)
         axes.set_title(f"{style.MODE_NAMES[mode]}\n{np.sum(lost) / 60:.0f} robot minutes a run")
     bar = fig.colorbar(mesh, ax=all_axes, shrink=0.62 if len(runs) > 1 else 0.75, aspect=16, pad=0.01)
-    bar.set_label("time lost beside another robot\n(robot seconds per m² and run)")
+    bar.set_label("time lost near another robot\n(robot seconds per m² and run)")
     return fig
 
 
@@ -103,15 +103,15 @@ def typical_seeds(runs: ByMode) -> str:
 
 PICTURES = (
     Picture("final_paths", "Paths at the end of the run",
-            lambda runs: "The path in use of every robot when the run ended, in the run of median time of each mode "
-            f"({typical_seeds(runs)}). Paths that coincide lie on each other.", draw_final_paths),
+            lambda runs: "The path that each robot used when the run ended, for the run with the median time in each mode "
+            f"({typical_seeds(runs)}). Coinciding paths overlap.", draw_final_paths),
     Picture("final_paths_all_runs", "Paths at the end of all runs",
-            lambda runs: "The paths in use at the end of every run; darker where more of them lie.", draw_all_paths,
+            lambda runs: "The paths in use at the end of every run; darker where more of them overlap.", draw_all_paths,
             lambda runs: any(len(those) > 1 for those in runs.values())),
     Picture("tracks", "Where the robots drove",
-            lambda runs: f"The tracks of all robots in the run of median time of each mode ({typical_seeds(runs)}).",
+            lambda runs: f"The tracks of all robots, for the run with the median time in each mode ({typical_seeds(runs)}).",
             draw_tracks),
-    Picture("traffic_map", "Where robots lose time beside each other",
+    Picture("traffic_map", "Where robots lose time near each other",
             lambda runs: "Time by which robots with a path fell short of cruise speed while another robot was within "
             "the radio's range, mean over the runs of each mode. White: less than a thousandth of the maximum.",
             draw_traffic_map),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Figures about the work of the robots and what their time went into."""
+"""Figures about the work of the robots and how they spent their time."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -102,7 +102,7 @@ def draw_time_budget(runs: ByMode) -> Figure:
 
 
 def stack(axes, rows: dict[str, np.ndarray], names, colours: dict[str, str], least_label: float) -> None:
-    """One bar for each mode, its parts side by side; parts from `least_label` on bear their number."""
+    """One bar for each mode, its parts side by side; parts from `least_label` on are labelled with their value."""
     places = np.arange(len(rows))[::-1]
     begins = np.zeros(len(rows))
     for index, name in enumerate(names):
@@ -121,23 +121,23 @@ def stack(axes, rows: dict[str, np.ndarray], names, colours: dict[str, str], lea
 
 
 def budget_caption(runs: ByMode) -> str:
-    text = ("Left: what the robots did, from start to end, mean over runs and robots; time in which a robot got "
-            "nowhere for a minute is stuck, whatever it did.")
+    text = ("Left: what the robots did, from start to end, mean over runs and robots; time without "
+            "progress for a minute counts as stuck, whatever the robot did.")
     if any(budget(those) for those in runs.values()):
-        text += (" Right: what a round trip's time went into; at cruise speed is what its path would take without any "
-                 "slowing down, slower than cruise the rest of its driving: turning, keeping distance, detours.")
+        text += (" Right: how the time of a round trip was spent. At cruise speed: the time for its path without slowing "
+                 "down. Slower than cruise: the rest of its driving, such as turning, keeping distance, detours.")
     return text
 
 
 PICTURES = (
     Picture("items_per_robot", "Items of each robot",
-            lambda runs: "Above: the run of median time of each mode. Below: all runs, robots sorted by their items; "
+            lambda runs: "Above: the run with the median time in each mode. Below: all runs, robots sorted by their items; "
             "bar: median, whisker: quartiles." if any(len(those) > 1 for those in runs.values())
             else "Items delivered by each robot.", draw_items_per_robot),
     Picture("round_trips", "Round-trip times",
             lambda runs: "Share of the round trips that took less than a time; dot: their mean. "
             + str(sum(len(unfinished_trips(run)) for those in runs.values() for run in those))
-            + " trips were still under way when their runs ended and are not in it.", draw_round_trips,
+            + " trips were unfinished when their runs ended and are not included.", draw_round_trips,
             lambda runs: any(round_trip_s(run) for those in runs.values() for run in those)),
-    Picture("time_budget", "What the robots' time went into", budget_caption, draw_time_budget),
+    Picture("time_budget", "How the robots spent their time", budget_caption, draw_time_budget),
 )

@@ -36,7 +36,7 @@ def draw_band(axes: Axes, runs: ByMode, quantity: Series, steps: bool, **options
 
 
 def mark_ends(axes: Axes, runs: ByMode) -> None:
-    """A tick for every run's end at the upper edge: filled when it delivered everything."""
+    """A tick at the upper edge for the end of every run: filled if it delivered everything."""
     for row, (mode, those) in enumerate(runs.items()):
         for run in those:
             done = run.metrics["completed"]
@@ -111,7 +111,7 @@ def draw_path_lengths(runs: ByMode) -> Figure:
 
 
 def share_y(all_axes: list[Axes]) -> None:
-    """One logarithmic scale for lengths that differ tenfold."""
+    """A logarithmic scale, for lengths that differ tenfold."""
     for axes in all_axes:
         axes.set_yscale("log")
     low = min(axes.get_ylim()[0] for axes in all_axes)
@@ -131,15 +131,15 @@ def spread(runs: ByMode) -> str:
 
 PICTURES = (
     Picture("robots_with_path", "Robots with a path over time",
-            lambda runs: "How many robots knew a way, found or received." + spread(runs), draw_robots_with_path),
+            lambda runs: "Number of robots that knew a way, found or received." + spread(runs), draw_robots_with_path),
     Picture("items_over_time", "Items over time",
-            lambda runs: "Items delivered in all." + spread(runs) + " The marks above the frame are the ends of the "
+            lambda runs: "Total items delivered." + spread(runs) + " The marks above the frame are the ends of the "
             "single runs; a cross is a run that did not deliver everything.", draw_items),
     Picture("exchanges_over_time", "Exchanges over time",
             lambda runs: "Left: completed, right: failed; a session of a pair counts once." + spread(runs),
             draw_exchanges),
     Picture("path_length_over_time", "Path length over time",
-            lambda runs: "Above: the path in use of every robot in the run of median time. Below: mean over the robots "
-            "that have a path." + spread(runs), draw_path_lengths,
+            lambda runs: "Above: the path that each robot used, for the run with the median time. Below: mean over the "
+            "robots that have a path." + spread(runs), draw_path_lengths,
             lambda runs: any(run.path_lengths for those in runs.values() for run in those)),
 )

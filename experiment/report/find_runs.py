@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Which of the given folders hold runs."""
+"""Finds the folders of runs among the given folders."""
 
 import concurrent.futures
 import json
@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from records import BrokenRun, Run, read_run
 
-MARKS = ("metrics.json", "tracks.csv")  # one of them makes a folder the folder of a run
+MARKS = ("metrics.json", "tracks.csv")  # a folder with one of them is the folder of a run
 DEPTH = 3  # levels below a given folder that are searched
 
 
@@ -21,7 +21,7 @@ class Skipped:
 
 
 def find_folders(given: list[pathlib.Path]) -> tuple[list[pathlib.Path], list[Skipped]]:
-    """The folders of runs in and below the given ones, each once, and what cannot be one."""
+    """The folders of runs in and below the given ones, each once, and the paths that cannot be one."""
     found: list[pathlib.Path] = []
     skipped: list[Skipped] = []
     for folder in given:
@@ -56,7 +56,7 @@ def _runs_below(folder: pathlib.Path, depth: int) -> Iterator[pathlib.Path]:
 
 
 def _planned_without_run(sweep: pathlib.Path) -> Iterator[Skipped]:
-    """The runs of a sweep that left nothing."""
+    """The runs of a sweep without any files."""
     try:
         planned = json.loads((sweep / "sweep.json").read_text(encoding="utf-8"))["runs"]
         for run in planned:
@@ -83,7 +83,7 @@ def _read(folder: pathlib.Path) -> Run | Skipped:
 
 
 def read_all(given: list[pathlib.Path]) -> tuple[list[Run], list[Skipped]]:
-    """Every run that can be read, and what was skipped and why."""
+    """Every readable run, and what was skipped, with the reason."""
     folders, skipped = find_folders(given)
     if len(folders) > 1:
         with concurrent.futures.ProcessPoolExecutor(max_workers=os.cpu_count()) as pool:

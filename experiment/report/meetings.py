@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How robots that search come across robots that know a way, in the first minutes in which these may tell."""
+"""How often searching robots meet robots that know a way, in the first minutes in which exchanges are allowed."""
 
 from dataclasses import dataclass
 
@@ -8,17 +8,17 @@ import numpy as np
 from records import Run
 from traffic import radio_range_m
 
-AFTER_S = (60.0, 360.0)  # the span, counted from when exchanges begin
+AFTER_S = (60.0, 360.0)  # the time span, counted from the start of exchanges
 CELL_M = 2.0
 
 
 @dataclass
 class Meetings:
-    """Of several runs together."""
+    """Numbers of several runs together."""
 
     floor_m2: list[float]  # by run: cells in which a robot with a path was
-    searching_min: float  # robots without a path, summed up
-    meetings: int  # times that one of these came into radio range of a robot with a path
+    searching_min: float  # sum over robots without a path
+    meetings: int  # how often one of these came into radio range of a robot with a path
     got_path: int
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report as one page that needs nothing else."""
+"""The report as one self-contained page."""
 
 import datetime
 import html
@@ -23,13 +23,13 @@ th, td { padding: 0.2rem 0.8rem 0.2rem 0; text-align: left; border-bottom: 1px s
 
 
 def inline_svg(file: pathlib.Path) -> str:
-    """The drawing without what only stands at the top of a file."""
+    """The drawing without the header of an SVG file."""
     text = file.read_text(encoding="utf-8")
     return text[text.index("<svg"):]
 
 
 def named_apart(svg: str, name: str) -> str:
-    """Its inner names begin with `name`, so that drawings on one page do not take each other's."""
+    """Prefixes its inner names with `name`, so that those of several drawings on one page do not clash."""
     svg = re.sub(r'\bid="', f'id="{name}-', svg)
     return re.sub(r'(url\(#|href="#)', rf"\g<1>{name}-", svg)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the paper reports of its three runs, one for each mode, by the names of our quantities. Sections 4 and 5 of the
-paper and its figures 8 to 13; numbers with (log) are computed from the logs that were published with its code."""
+"""The results that the paper reports of its three runs, one for each mode, by the names of our quantities. Sections 4 and 5 of
+the paper and its figures 8 to 13; numbers with (log) are computed from the logs that were published with its code."""
 
 PAPER = {
     "time to the last item, min": {"none": "51", "partial": "51", "full": "70; 67 (log)"},

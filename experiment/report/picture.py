@@ -13,7 +13,7 @@ ByMode = dict[str, list[Run]]
 
 @dataclass(frozen=True)
 class Picture:
-    name: str  # of its files
+    name: str  # name of its files
     title: str
     caption: Callable[[ByMode], str]
     draw: Callable[[ByMode], Figure]

@@ -25,13 +25,13 @@ def by_mode(runs: list[Run]) -> dict[str, list[Run]]:
 
 
 def typical(runs: list[Run]) -> Run:
-    """The run of median time among those that delivered everything, without such a run among all."""
+    """The run with the median time among those that delivered everything; among all runs if there are none."""
     done = [run for run in runs if run.metrics["completed"]] or runs
     return sorted(done, key=lambda run: (run.end_s, run.seed))[(len(done) - 1) // 2]
 
 
 def round_trip_s(run: Run) -> list[float]:
-    """Of the trips that a next pick-up has ended."""
+    """Mean over the trips that a next pick-up has ended."""
     return [trip.next_pick_up_s - trip.picked_up_s for trip in run.trips if trip.next_pick_up_s is not None]
 
 
@@ -48,7 +48,7 @@ def robots_with_path_at(run: Run, time_s: float) -> int:
 
 
 def nth_path_s(run: Run, nth: int) -> float | None:
-    """When that many robots had a path."""
+    """Time at which that many robots had a path."""
     times = sorted(got for got in run.got_path_s() if got is not None)
     return times[nth - 1] if len(times) >= nth else None
 
@@ -62,20 +62,20 @@ def _path_lengths(run: Run) -> list[float]:
 
 
 def share_of_time(run: Run, activity: str) -> float:
-    """Per cent of all robots' time; activity as in metrics.json without _s."""
+    """Percentage of all robots' time; activity as in metrics.json without _s."""
     spent = sum(robot[f"{activity}_s"] for robot in run.metrics["per_robot"])
     return 100 * spent / max(run.robots * run.end_s, 1e-9)
 
 
 def lost_to_traffic(run: Run) -> float | None:
-    """Per cent of the time that robots had a path: what they fell short of cruise speed beside another robot."""
+    """Time lost to traffic (traffic.py) as a percentage of the time in which robots had a path."""
     with_path_s = sum(run.end_s - got for got in run.got_path_s() if got is not None)
     found = losses(run)
     return 100 * float(np.sum(found.lost_s[found.beside])) / with_path_s if with_path_s > 0 else None
 
 
 def last_items_per_minute(run: Run, items: int) -> float | None:
-    """Over the last so many deliveries; None when there were not twice as many, so that the start stays out."""
+    """Rate over the last deliveries; None unless there were twice as many, so that the start is excluded."""
     if len(run.deliveries) < 2 * items:
         return None
     times = np.sort(run.deliveries)
@@ -83,7 +83,7 @@ def last_items_per_minute(run: Run, items: int) -> float | None:
 
 
 def exchanges_per_minute(run: Run) -> float | None:
-    """Completed and failed, over the time in which they were allowed."""
+    """Completed and failed exchanges, divided by the time in which they were allowed."""
     allowed_s = run.end_s - run.scenario.get("algorithm", {}).get("sharing_starts_s", 900.0)
     return 60 * len(run.exchanges) / allowed_s if run.mode != "none" and allowed_s > 0 else None
 
@@ -112,7 +112,7 @@ QUANTITIES = (
              lambda run: run.metrics["exchanges"]["mean_duration_s"] if len(run.reports) else None, 2),
     Quantity("contacts of robots", lambda run: run.metrics["contacts"]["robot_robot"]),
     Quantity("contacts with something static", lambda run: run.metrics["contacts"]["robot_static"]),
-    Quantity("time with a path lost beside another robot, %", lost_to_traffic, 1),
+    Quantity("time with a path lost near another robot, %", lost_to_traffic, 1),
     Quantity("time driving, %", lambda run: share_of_time(run, "driving"), 1),
     Quantity("time exchanging, %", lambda run: share_of_time(run, "exchanging"), 2),
     Quantity("time avoiding, %", lambda run: share_of_time(run, "avoiding"), 1),
@@ -126,7 +126,7 @@ def values(quantity: Quantity, runs: list[Run]) -> list[float]:
 
 
 def summary(quantity: Quantity, runs: list[Run]) -> str:
-    """Median (least to most) of the runs that have the number, and how many have not."""
+    """Median (minimum to maximum) of the runs that have the number, and how many do not."""
     known = values(quantity, runs)
     if not known:
         return f"-; {len(runs)} of {len(runs)} without"

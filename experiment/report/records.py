@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One recorded run, read from its folder. docs/outputs.md says what the files hold."""
+"""One recorded run, read from its folder. docs/outputs.md describes the files."""
 
 import csv
 import io
@@ -14,7 +14,7 @@ MODES = ("none", "partial", "full")
 SAME_SESSION_S = 60.0  # a pair may use a session's number again; reports further apart are two sessions
 
 NUMBER, OR_NULL = (int, float), (int, float, type(None))
-# What metrics.json has, as far as it is used here.
+# The content of metrics.json, as far as it is used here.
 METRICS = {"mode": (str,), "seed": (int,), "robots": (int,), "sim_time_s": NUMBER, "completed": (bool,),
            "items_delivered": (int,), "routes": (int,), "exchanges": (dict,), "contacts": (dict,), "per_robot": (list,),
            "scenario": (str,)}
@@ -25,7 +25,7 @@ ROBOT = {"items": (int,), "found_s": OR_NULL, "received_s": OR_NULL, "path_lengt
 
 
 class BrokenRun(Exception):
-    """The folder holds no run that can be read; the text says why."""
+    """The folder holds no readable run; the text gives the reason."""
 
 
 @dataclass
@@ -38,7 +38,7 @@ class Trip:
 
 @dataclass
 class Run:
-    """Times in simulated seconds, lengths in metres. Robots are numbered from 1; arrays by robot begin with robot 1."""
+    """Times in simulated seconds, lengths in metres. Robots are numbered from 1; arrays by robot start with robot 1."""
 
     folder: pathlib.Path
     metrics: dict
@@ -48,11 +48,11 @@ class Run:
     trips: list[Trip]
     deliveries: np.ndarray  # times
     exchanges: np.ndarray  # (sessions and lone attempts, 2): time of the end, completed
-    reports: np.ndarray  # (reports of attempts, 2): time of the end, how long the robot stood
-    contacts: np.ndarray  # times, robot with robot
+    reports: np.ndarray  # (reports of attempts, 2): time of the end, time the robot stood
+    contacts: np.ndarray  # times of contacts between robots
     paths: dict[int, np.ndarray]
     path_lengths: list[tuple[np.ndarray, np.ndarray]] = field(default_factory=list)  # by robot: times, lengths
-    activities: list[tuple[np.ndarray, list[str]]] = field(default_factory=list)  # by robot: from when, what
+    activities: list[tuple[np.ndarray, list[str]]] = field(default_factory=list)  # by robot: start times, activities
 
     @property
     def mode(self) -> str:
@@ -76,23 +76,23 @@ class Run:
 
     @property
     def state(self) -> str:
-        """completed, or why not."""
+        """"completed", or the reason why not."""
         if self.metrics["completed"]:
             return "completed"
         if self.metrics.get("failure"):
             return "failed"
         if not self.metrics.get("ended", True):
             return "killed"
-        return "interrupted" if self.metrics.get("interrupted") else "time ran out"
+        return "interrupted" if self.metrics.get("interrupted") else "time limit reached"
 
     def got_path_s(self) -> list[float | None]:
-        """When each robot got its first path, found or received."""
+        """Time at which each robot got its first path, found or received."""
         return [robot["found_s"] if robot["found_s"] is not None else robot["received_s"]
                 for robot in self.metrics["per_robot"]]
 
 
 def read_run(folder: pathlib.Path) -> Run:
-    """Raises BrokenRun. A file cut off in its last row is read up to there."""
+    """Raises BrokenRun. A file whose last row is incomplete is read up to that row."""
     metrics = _read_metrics(folder / "metrics.json")
     try:
         scenario = tomllib.loads((folder / "scenario.toml").read_text(encoding="utf-8"))
@@ -128,7 +128,7 @@ def _read_metrics(file: pathlib.Path) -> dict:
 
 
 def _check_kinds(where: str, table: object, kinds: dict[str, tuple[type, ...]]) -> None:
-    """Raises BrokenRun unless `table` has a value of one of its kinds for each key. A bool counts as no number."""
+    """Raises BrokenRun unless `table` has a value of one of its kinds for each key. A bool does not count as a number."""
     if not isinstance(table, dict):
         raise BrokenRun(f"{where} is no table")
     for key, wanted in kinds.items():
@@ -141,7 +141,7 @@ def _check_kinds(where: str, table: object, kinds: dict[str, tuple[type, ...]]) 
 
 
 def _rows(file: pathlib.Path, fields: int) -> list[list[str]]:
-    """The rows below the header, without one that is cut off at the end."""
+    """The rows below the header, without an incomplete last one."""
     text = file.read_text(encoding="utf-8")
     whole = text[:text.rfind("\n") + 1]
     rows = list(csv.reader(io.StringIO(whole)))[1:]
@@ -177,7 +177,7 @@ def _detail(text: str) -> dict[str, str]:
 
 
 def _exchanges(events: list[list[str]]) -> tuple[np.ndarray, np.ndarray]:
-    """Sessions once each, as the run's own count has it, and what every robot told of its attempts."""
+    """Each session once, as in the run's own count, and every robot's reports of its attempts."""
     counted: list[list[float]] = []
     reports = []
     known: dict[tuple[int, int, int], tuple[float, int]] = {}  # pair and number: began, row in `counted`

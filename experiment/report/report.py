@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Draws the report of recorded runs: report.html, one page that needs nothing else, and its figures as SVG and PNG."""
+"""Draws the report of recorded runs: report.html, one self-contained page, and its figures as SVG and PNG."""
 
 import argparse
 import concurrent.futures
@@ -8,7 +8,7 @@ import os
 import pathlib
 import sys
 
-sys.dont_write_bytecode = True  # the source tree stays as it is
+sys.dont_write_bytecode = True  # leaves the source tree unchanged
 
 try:
     import style
@@ -26,7 +26,7 @@ from page import page  # noqa: E402
 from picture import ByMode, Picture  # noqa: E402
 from quantities import by_mode  # noqa: E402
 
-# In the order of the paper's figures 8 to 13, then those that it has not.
+# In the order of the paper's figures 8 to 13, then those that it does not have.
 ORDER = ("final_paths", "final_paths_all_runs", "tracks", "items_per_robot", "robots_with_path", "items_over_time",
          "traffic_map", "exchanges_over_time", "path_length_over_time", "round_trips", "time_budget")
 PICTURES = {picture.name: picture
@@ -34,7 +34,7 @@ PICTURES = {picture.name: picture
 
 
 def draw(picture: Picture, runs: ByMode, folder: pathlib.Path) -> pathlib.Path:
-    """@return the SVG file; the PNG lies beside it"""
+    """@return the SVG file; the PNG is next to it"""
     style.set_up()
     fig = picture.draw(runs)
     file = folder / f"{picture.name}.svg"
@@ -61,7 +61,7 @@ def write_report(given: list[pathlib.Path], out: pathlib.Path) -> int:
     figures = out / "figures"
     figures.mkdir(parents=True, exist_ok=True)
     chosen = [PICTURES[name] for name in ORDER if PICTURES[name].can_be_drawn(runs)]
-    # Forked, so that the workers have the runs already; a picture is named because its functions cannot be sent.
+    # Forked, so that the workers already have the runs. A picture is passed by name because its functions cannot be sent.
     global shared_runs, shared_folder
     shared_runs, shared_folder = runs, figures
     with concurrent.futures.ProcessPoolExecutor(max_workers=os.cpu_count()) as pool:
@@ -91,7 +91,7 @@ def main() -> int:
     except OSError as error:
         print(f"caravan report: {error}", file=sys.stderr)
         return 2
-    except Exception as error:  # pylint: disable=broad-except  # a file that somebody changed, whatever is wrong with it
+    except Exception as error:  # pylint: disable=broad-except  # a modified file may cause any error
         print(f"caravan report: the records hold something that no run writes ({type(error).__name__}: {error})",
               file=sys.stderr)
         return 1

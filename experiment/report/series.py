@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Quantities over time: step functions of single runs, and what several runs make of them."""
+"""Quantities over time: step functions of single runs, and their combination over several runs."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ def grid(runs: list[Run]) -> np.ndarray:
 
 
 def count_until(event_times: np.ndarray, times: np.ndarray) -> np.ndarray:
-    """How many of the events happened up to each time."""
+    """The number of events up to each time."""
     return np.searchsorted(np.sort(event_times), times, side="right").astype(float)
 
 
@@ -63,7 +63,7 @@ def exchanges(run: Run, times: np.ndarray, completed: bool) -> np.ndarray:
 
 
 def mean_path_length(run: Run, times: np.ndarray) -> np.ndarray:
-    """Over the robots that have a path."""
+    """Mean over the robots that have a path."""
     lengths = np.array([value_at(changes, values, times) for changes, values in run.path_lengths])
     if len(lengths) == 0:
         return np.full(len(times), np.nan)

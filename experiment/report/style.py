@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How every figure looks."""
+"""The common style of all figures."""
 
 import matplotlib
 
@@ -9,16 +9,16 @@ import matplotlib.pyplot as plt  # noqa: E402  (after the choice of the backend)
 from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 
-COLUMN_IN = 3.5  # one column of a paper, and two
+COLUMN_IN = 3.5  # width of one column of a paper, and of two
 PAGE_IN = 7.16
 PNG_DPI = 300
 
-# Fifteen colours whose differences survive protanopia, deuteranopia and tritanopia; report_test.py measures them.
+# Fifteen colours that remain distinguishable in protanopia, deuteranopia and tritanopia; report_test.py measures them.
 ROBOT_COLOURS = ("#2f8e4e", "#1f3ffa", "#380942", "#b9bcf9", "#f7b804", "#7d409a", "#85ccac", "#460701", "#445453",
                  "#0c0e98", "#b87b10", "#12db71", "#931a02", "#af7bf6", "#828da5")
-ROBOT_DASHES = ("solid", (0, (4, 1.5)), (0, (1, 1.2)), (0, (5, 1.5, 1, 1.5)))  # next when the colours are used up
+ROBOT_DASHES = ("solid", (0, (4, 1.5)), (0, (1, 1.2)), (0, (5, 1.5, 1, 1.5)))  # the next one when the colours are used up
 
-# Okabe and Ito's colours, which colour-blind people can tell apart, and a dash as well, for print without colour.
+# Okabe and Ito's colours, which colour-blind people can distinguish, with different dashes for print without colour.
 MODE_COLOURS = {"none": "#0072b2", "partial": "#e69f00", "full": "#009e73"}
 MODE_DASHES = {"none": "solid", "partial": (0, (5, 1.5)), "full": (0, (1.2, 1.2))}
 MODE_NAMES = {"none": "no communication", "partial": "partial communication", "full": "full communication"}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables in Markdown: our numbers beside the paper's, and the tests of its central claim."""
+"""Tables in Markdown: our numbers compared with the paper's, and the tests of its central claim."""
 
 from collections.abc import Callable
 
@@ -12,7 +12,7 @@ from quantities import QUANTITIES, Quantity, last_items_per_minute, round_trip_s
 from records import MODES, Run
 from trip_budget import PARTS, budget
 
-STEADY_ITEMS = 200  # the last so many deliveries of a long run are its steady state
+STEADY_ITEMS = 200  # this many deliveries at the end of a long run are its steady state
 
 
 def markdown(rows: list[list[str]]) -> str:
@@ -22,7 +22,7 @@ def markdown(rows: list[list[str]]) -> str:
 
 
 def comparison(runs: ByMode) -> str:
-    """Every quantity: the paper's one run and the median (least to most) of ours, mode by mode."""
+    """Every quantity: the paper's one run and the median (minimum to maximum) of ours, mode by mode."""
     heading = ["quantity"]
     for mode, those in runs.items():
         heading += [f"{mode}: paper", f"{mode}: {len(those)} runs"]
@@ -36,7 +36,7 @@ def comparison(runs: ByMode) -> str:
 
 
 def trip_budgets(runs: ByMode) -> str:
-    """Mean seconds of a round trip by what they went into."""
+    """Mean duration of a round trip, in seconds, by activity."""
     rows = [["mode", "round trips", *(f"{part}, s" for part in PARTS), "in all, s"]]
     for mode, those in runs.items():
         if (found := budget(those)) is not None:
@@ -46,7 +46,7 @@ def trip_budgets(runs: ByMode) -> str:
 
 
 def searching(runs: ByMode) -> str:
-    """How robots without a path come across those with one, once these may tell."""
+    """How often robots without a path meet those with one, once exchanges are allowed."""
     rows = [["mode", "floor on which robots with a path drive, m2", "robot minutes of search",
              "meetings with one that has a path, a minute", "paths got, an hour of search"]]
     for mode, those in runs.items():
@@ -59,7 +59,7 @@ def searching(runs: ByMode) -> str:
 
 
 def pairs(runs: ByMode) -> str:
-    """Runs of the same seed, which do the same until exchanges begin, in two modes: who needed longer."""
+    """Runs of the same seed, equal until exchanges begin, in two modes: which took longer."""
     rows = [["time to the last item", "seeds", "later in", "difference, min: median (least to most)"]]
     times = {mode: {run.seed: run.end_s / 60 for run in those if run.metrics["completed"]}
              for mode, those in runs.items()}
@@ -76,17 +76,17 @@ def pairs(runs: ByMode) -> str:
 
 
 def needed_min(got_path_s: list[float], trip_s: float, items: int) -> float:
-    """When so many items would have been carried, had every robot carried one in each `trip_s` from its path on."""
+    """Time to carry `items` items if every robot carried one per `trip_s` once it had its path."""
     started = np.sort(got_path_s)
     for count in range(1, len(started) + 1):
-        end = (items * trip_s + np.sum(started[:count])) / count  # with the first `count` robots at work
+        end = (items * trip_s + np.sum(started[:count])) / count  # with the first `count` robots working
         if count == len(started) or end <= started[count]:
             return float(end / 60)
     return float("inf")
 
 
 def with_papers_trips(runs: ByMode) -> str:
-    """The time to the last item if robots got their paths when ours did and carried at the pace of the paper's."""
+    """The time to the last item if robots got their paths when ours did and carried at the paper's rate."""
     rows = [["mode", "the paper, min", "ours, min", "ours with our mean round trip, min", "ours with the paper's, min"]]
     for mode, those in runs.items():
         known = [run for run in those if round_trip_s(run)]
@@ -99,7 +99,7 @@ def with_papers_trips(runs: ByMode) -> str:
 
 
 def variants(runs: dict[str, ByMode], chosen: list[Quantity]) -> str:
-    """The same quantities for several variants of a scenario, over the seeds that all of them have."""
+    """The same quantities for several variants of a scenario, over the seeds that they all have."""
     seeds = {mode: set.intersection(*({run.seed for run in one[mode]} for one in runs.values() if mode in one))
              for mode in MODES if any(mode in one for one in runs.values())}
     rows = [["variant", "quantity", *(f"{mode}: {len(known)} seeds" for mode, known in seeds.items())]]
@@ -116,5 +116,5 @@ def steady(run_of: Callable[[Run], float | None] = lambda run: last_items_per_mi
 
 ABLATED = tuple(quantity for quantity in QUANTITIES
                 if quantity.name in ("time to the last item, min", "mean round trip, s", "exchanges completed",
-                                     "time exchanging, %", "time with a path lost beside another robot, %",
+                                     "time exchanging, %", "time with a path lost near another robot, %",
                                      "contacts of robots"))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Time that robots lose beside other robots.
+"""Time that robots lose near other robots.
 
-A robot that has a path could drive at cruise speed all the time. In each recorded second it loses the part of the
-second that its displacement falls short of that. What it loses with another robot within the radio's range is put down
-to traffic. A robot that turns round at source or destination loses time as well; beside another robot that counts."""
+A robot that has a path could drive at cruise speed all the time. In each recorded second it loses the part by which its
+displacement falls short of that. The loss counts as traffic if another robot is within the radio's range. A robot that
+turns around at source or destination also loses time; this counts too if another robot is near."""
 
 from dataclasses import dataclass
 
@@ -11,12 +11,12 @@ import numpy as np
 
 from records import Run
 
-CHUNK = 4_000_000  # distances at a time
+CHUNK = 4_000_000  # number of distances computed at a time
 
 
 @dataclass
 class Losses:
-    """Of all robots with a path, one row for each robot and recorded second."""
+    """One row for each robot with a path and recorded second."""
 
     places: np.ndarray  # (rows, 2)
     lost_s: np.ndarray
@@ -32,7 +32,7 @@ def radio_range_m(run: Run) -> float:
 
 
 def nearest_m(tracks: np.ndarray) -> np.ndarray:
-    """(steps, robots): how far away the nearest other robot is."""
+    """(steps, robots): distance to the nearest other robot."""
     steps, robots, _ = tracks.shape
     nearest = np.full((steps, robots), np.inf)
     if robots < 2:
@@ -59,7 +59,7 @@ def losses(run: Run) -> Losses:
 
 
 def lost_to_traffic_map(runs: list[Run], edges_x: np.ndarray, edges_y: np.ndarray) -> np.ndarray:
-    """(y, x): robot seconds lost beside another robot in each cell, mean over the runs."""
+    """(y, x): robot seconds lost near another robot in each cell, mean over the runs."""
     total = np.zeros((len(edges_y) - 1, len(edges_x) - 1))
     for run in runs:
         found = losses(run)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a round trip's time went into."""
+"""How the time of a round trip was spent."""
 
 from dataclasses import dataclass
 
@@ -21,7 +21,7 @@ class TripBudget:
 
 
 def time_in(run: Run, robot: int, activity: str, begin_s: float, end_s: float) -> float:
-    """Seconds of [begin, end) in which the robot said that it does this."""
+    """Seconds of [begin, end) in which the robot reported this activity."""
     changes, names = run.activities[robot - 1]
     borders = np.append(changes, max(end_s, changes[-1] if len(changes) else 0.0))
     chosen = np.array([name == activity for name in names], dtype=bool)

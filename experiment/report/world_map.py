@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The world that a run took place in, drawn from its scenario."""
+"""The world of a run, drawn from its scenario."""
 
 import math
 

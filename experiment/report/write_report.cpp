@@ -21,12 +21,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// For the figures of a large sweep.
+/// Long enough for the figures of a large sweep.
 constexpr std::chrono::seconds kPatience{1800};
-/// Debian's own, for which its matplotlib is installed.
+/// Debian's own interpreter, for which its matplotlib is installed.
 constexpr const char* kPython = "/usr/bin/python3";
 
-/// From build/<preset>/bin in the tree, or from where the tree was when this was built.
+/// Searched from build/<preset>/bin in the tree, or at the tree's path when this was built.
 fs::path drawing_program() {
   const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
   for (const fs::path& tree : {here / "../../..", fs::path{CARAVAN_SOURCE_TREE}}) {
@@ -36,7 +36,7 @@ fs::path drawing_program() {
   throw runtime::StartError{"caravan report: experiment/report/report.py is not where it was built"};
 }
 
-/// Starts it with no signal blocked, so that Ctrl-C ends it.
+/// Starts the program with no signal blocked, so that Ctrl-C ends it.
 pid_t start(std::vector<std::string> words) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -81,7 +81,7 @@ int write_report(const std::vector<fs::path>& folders, const std::optional<fs::p
   const pid_t pid = start(std::move(words));
   const std::optional<int> ended = end_of(pid);
   if (!ended) {
-    std::fprintf(stderr, "caravan report: drawing took longer than %lld s and was ended\n",
+    std::fprintf(stderr, "caravan report: drawing took longer than %lld s and was stopped\n",
                  static_cast<long long>(kPatience.count()));
     return runtime::kFailed;
   }

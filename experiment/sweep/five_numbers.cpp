@@ -6,7 +6,7 @@
 namespace caravan::experiment {
 namespace {
 
-/// @pre the sample is sorted and not empty. `quarters` of 4.
+/// @pre the sample is sorted and not empty. `quarters` out of 4.
 double quantile(const std::vector<double>& sorted, std::size_t quarters) {
   const std::size_t scaled = quarters * (sorted.size() - 1);
   const std::size_t below = scaled / 4;

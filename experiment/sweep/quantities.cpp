@@ -19,10 +19,10 @@ const Json& value_at(const Json& metrics, std::string_view key) {
   return dot == std::string_view::npos ? outer : value_at(outer, key.substr(dot + 1));
 }
 
-/// A number, which true and null are not. @throws std::runtime_error, Json::exception when it is missing
+/// A number; true and null are not numbers. @throws std::runtime_error, Json::exception when it is missing
 double number_in(const Json& table, std::string_view key) {
   const Json& value = value_at(table, key);
-  if (!value.is_number()) throw std::runtime_error{std::string{key} + " is no number"};
+  if (!value.is_number()) throw std::runtime_error{std::string{key} + " is not a number"};
   return value.get<double>();
 }
 
@@ -32,11 +32,11 @@ double claim_in(const Json& table, std::string_view key) {
   return value.get<bool>() ? 1.0 : 0.0;
 }
 
-/// The robots' numbers, null where they have none. `metrics` must outlive them. @throws the same
+/// The robots' numbers, null if they have none. `metrics` must outlive them. @throws as number_in()
 std::vector<RobotNumbers> robots_in(const Json& metrics) {
   const Json& robots = metrics.at("per_robot");
   if (!robots.is_array() || static_cast<double>(robots.size()) != number_in(metrics, "robots"))
-    throw std::runtime_error{"per_robot is no list of one entry for each robot"};
+    throw std::runtime_error{"per_robot is not a list with one entry per robot"};
   std::vector<RobotNumbers> numbers;
   for (const Json& robot : robots) {
     numbers.emplace_back([&robot](std::string_view key) {

@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 const std::string kFailureFile = "failure.txt";
 
-/// @throws std::exception when something is missing or of another kind
+/// @throws std::exception when a value is missing or has the wrong type
 RunRow row_in(const Json& metrics) {
   if (!metrics.at("ended").get<bool>() || metrics.at("interrupted").get<bool>()) return {};
   if (const auto failure = metrics.at("failure").get<std::string>(); !failure.empty()) {
@@ -59,13 +59,12 @@ RunRow look_at(const fs::path& sweep_folder, const PlannedRun& run) {
   const auto metrics = text_in(file);
   if (!metrics) return {};
   const Json read = Json::parse(*metrics, nullptr, false);
-  if (read.is_discarded())
-    return {};  // half written, by a file system that lost power: as if it had not ended
+  if (read.is_discarded()) return {};  // half written because of a power failure: treated as not ended
   try {
     return row_in(read);
   } catch (const std::exception& error) {
     return {.state = RunState::kFailed,
-            .reason = file.filename().string() + " is not what a run writes: " + error.what()};
+            .reason = file.filename().string() + " is not the output of a run: " + error.what()};
   }
 }
 

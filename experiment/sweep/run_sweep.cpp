@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using Wall = std::chrono::steady_clock::time_point;
 
-/// A run over DDS gives its own processes a second.
+/// Longer than the second that a run over DDS gives its own processes.
 constexpr auto kStopPatience = 3000ms;
 
 double seconds_since(Wall began) {
@@ -39,7 +39,7 @@ Claim claim_of(const SweepRequest& request) {
   return request.task ? Claim::kTask : Claim::kSweep;
 }
 
-/// Runs write here when something is wrong; beside their folders, which must be empty when they begin.
+/// Runs write errors here, outside their folders, which must be empty at the start.
 fs::path make_log_folder(const fs::path& folder) {
   fs::create_directories(folder / "logs");
   return folder / "logs";
@@ -53,7 +53,7 @@ std::string last_line(const std::string& text) {
   return text.substr(begin, end + 1 - begin);
 }
 
-/// One sweep, task or summary, from the first look to the last line.
+/// One sweep, task or summary, from the first check to the last line.
 class Sweep {
  public:
   explicit Sweep(const SweepRequest& request)
@@ -77,7 +77,7 @@ class Sweep {
   void start(std::size_t index);
   void settle(const runtime::Ended& ended);
   void stop();
-  /// A batch system tells a whole job to stop at once, and a run may be the first to do so.
+  /// A batch system stops a whole job at once, and a run may be the first to end.
   [[nodiscard]] bool was_interrupted_with_us(const runtime::Ended& ended) const {
     return ended.exit_code == runtime::kInterrupted &&
            request_.loop.wait(std::chrono::steady_clock::now() + 500ms) == runtime::Loop::Woken::kStop;
@@ -94,7 +94,7 @@ class Sweep {
   const SweepRequest& request_;
   const SweepPlan& plan_;
   SweepFolder folder_;
-  std::vector<RunRow> rows_;  // by the runs of the plan
+  std::vector<RunRow> rows_;  // same order as the runs of the plan
   std::deque<std::size_t> waiting_;
   std::map<std::string, Running> running_;  // by the name of the process
   std::size_t ended_here_ = 0;
@@ -143,7 +143,7 @@ void Sweep::write() const {
 void Sweep::start(std::size_t index) {
   const PlannedRun& run = plan_.runs[index];
   const fs::path out = request_.folder / folder_of(run);
-  fs::remove_all(out);  // what a run that did not end has left
+  fs::remove_all(out);  // remains of a run that did not end
   const std::string name = run.mode + "_seed_" + std::to_string(run.seed);
   children_.start(
       name, {fs::read_symlink("/proc/self/exe"), "run", folder_.scenario_file(), "--engine", plan_.engine,
@@ -156,7 +156,7 @@ std::string Sweep::why(const runtime::Ended& ended) const {
   const std::string said = last_line(text_in(log_of(ended.name)).value_or(""));
   std::string how = "exit code " + std::to_string(ended.exit_code);
   if (ended.exit_code == runtime::kInterrupted) {
-    how = "interrupted by somebody else";
+    how = "interrupted by another process";
   } else if (ended.exit_code > 128) {
     how = "killed by signal " + std::to_string(ended.exit_code - 128) + " (" +
           strsignal(ended.exit_code - 128) + ")";
@@ -215,7 +215,7 @@ int Sweep::report() {
   progress_.close();
   if (!request_.quiet && !request_.task) {
     std::printf("%s\nfiles       %s\n", sweep_table(plan_, rows_).c_str(), request_.folder.c_str());
-    if (interrupted_) std::printf("interrupted; the same command goes on\n");
+    if (interrupted_) std::printf("interrupted; run the same command again to continue\n");
     std::fflush(stdout);
   }
   if (interrupted_) return runtime::kInterrupted;

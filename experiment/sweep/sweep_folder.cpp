@@ -22,15 +22,14 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using Json = nlohmann::json;
 
-/// Longer than the runs of a sweep that was killed need to end.
+/// Longer than the runs of a killed sweep take to end.
 constexpr auto kPatience = 4s;
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
   throw runtime::StartError{folder.string() + ": " + why + "; choose another --out"};
 }
 
-/// Whether there is anything but what sweeps make first: logs, and files whose names begin with
-/// a dot.
+/// Whether there is anything but what sweeps create first: logs, and files whose names begin with a dot.
 bool holds_something(const fs::path& folder) {
   return std::ranges::any_of(fs::directory_iterator{folder}, [](const fs::directory_entry& entry) {
     const std::string name = entry.path().filename();
@@ -38,7 +37,7 @@ bool holds_something(const fs::path& folder) {
   });
 }
 
-/// Several tasks may write the same text at the same time, so each does under a name of its own first.
+/// Several tasks may write the same text at the same time, so each uses its own temporary name.
 void write_scenario(const fs::path& folder, const std::string& text) {
   std::array<char, 256> host{};
   gethostname(host.data(), host.size() - 1);
@@ -72,7 +71,7 @@ void check_runs(const fs::path& folder, const std::string& written, const SweepP
 void check_and_begin(const fs::path& folder, const SweepPlan& plan) {
   const auto scenario = text_in(folder / "scenario.toml");
   if (!scenario) {
-    if (holds_something(folder)) refuse(folder, "is not empty and holds no sweep");
+    if (holds_something(folder)) refuse(folder, "is not empty and is not a sweep");
     write_scenario(folder, plan.scenario_text);
     return;
   }
@@ -90,7 +89,7 @@ SweepFolder::SweepFolder(fs::path folder, const SweepPlan& plan, Claim claim, ru
     : folder_{std::move(folder)} {
   std::error_code error;
   fs::create_directories(folder_, error);
-  if (error) throw runtime::StartError{folder_.string() + ": cannot be made: " + error.message()};
+  if (error) throw runtime::StartError{folder_.string() + ": cannot be created: " + error.message()};
   if (claim != Claim::kSummarise) {
     locks_.emplace_back(folder_ / ".runs.lock", claim == Claim::kTask ? LOCK_SH : LOCK_EX, "another sweep",
                         loop);
@@ -112,17 +111,17 @@ std::vector<int> SweepFolder::locks() const {
 }
 
 SweepFolder::Lock::Lock(const fs::path& file, int kind, const std::string& holder, runtime::Loop& loop)
-    // Without O_CLOEXEC: our runs are given the lock and hold it until the last of them has ended.
+    // Without O_CLOEXEC: the runs inherit the lock and hold it until the last of them has ended.
     : file_{open(file.c_str(), O_RDWR | O_CREAT, 0644)} {
   if (file_ < 0) throw runtime::StartError{file.string() + ": cannot be written: " + std::strerror(errno)};
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
-  // A file system without locks is taken as it is: there, nobody can tell.
+  // A file system without locks is accepted: the lock cannot be checked there.
   while (flock(file_, kind | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     const auto now = std::chrono::steady_clock::now();
     const bool stop = loop.wait(now + 50ms) == runtime::Loop::Woken::kStop;
     if (!stop && now < deadline) continue;
     close(file_);
-    throw runtime::StartError{file.parent_path().string() + ": " + holder + " is at work in it"};
+    throw runtime::StartError{file.parent_path().string() + ": " + holder + " is using it"};
   }
 }
 

@@ -36,7 +36,7 @@ bool same(const Value& one, const Value& other) {
   return one == other;
 }
 
-/// Gathers the differences of one robot.
+/// Collects the differences of one robot.
 class Finder {
  public:
   explicit Finder(std::vector<Difference>& found, std::uint64_t robot = 0) : found_{found}, robot_{robot} {}
@@ -69,7 +69,7 @@ std::string frames_text(const std::vector<TracedFrame>& frames) {
 }
 std::string frames_text(const TracedTransmission& sent) { return frames_text(sent.frames); }
 
-/// Robots that only one of the two has, and what differs for those that both have.
+/// Reports robots that only one of the two has, and the differences of those that both have.
 template <typename Value>
 void compare_by_robot(std::vector<Difference>& found, const std::string& quantity,
                       const std::map<std::uint64_t, Value>& ones,

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
 
-/// Both traces of one run, read together.
+/// Both traces of one run, read in parallel.
 class RunTrace {
  public:
   explicit RunTrace(const fs::path& folder)
@@ -29,7 +29,7 @@ class RunTrace {
         world_{world_trace_in(folder / "trace"), runtime::kWorldTrace},
         radio_{radio_trace_in(folder / "trace"), runtime::kRadioTrace} {}
 
-  /// @return false: no step is left that both traces have whole
+  /// @return false: no further step is whole in both traces
   bool next() {
     const bool world = world_.next(world_bytes_);
     const bool radio = radio_.next(radio_bytes_);
@@ -71,7 +71,7 @@ class RunTrace {
   bool cut_off_ = false;
 };
 
-/// Tells of the first line in which the runs' scenarios differ, if any.
+/// Prints the first line in which the runs' scenarios differ, if any.
 void compare_scenarios(const fs::path& one, const fs::path& other, std::FILE* out) {
   std::istringstream ones{text_in(one / "scenario.toml").value_or("")};
   std::istringstream others{text_in(other / "scenario.toml").value_or("")};
@@ -107,7 +107,7 @@ void tell_of_step(const RunTrace& one, const RunTrace& other, std::FILE* out) {
 
 void tell_of_cut(const RunTrace& run, std::FILE* out) {
   if (!run.cut_off()) return;
-  std::fprintf(out, "%s: its trace was cut off after step %llu\n", run.name().c_str(),
+  std::fprintf(out, "%s: its trace is incomplete after step %llu\n", run.name().c_str(),
                static_cast<unsigned long long>(run.steps()));
 }
 

@@ -7,7 +7,7 @@
 namespace caravan::experiment {
 namespace {
 
-/// Takes values off the front of a step.
+/// Reads values from the front of a step.
 class Source {
  public:
   explicit Source(std::span<const std::uint8_t> bytes) : left_{bytes} {}
@@ -24,12 +24,12 @@ class Source {
     return {string.begin(), string.end()};
   }
   void end() const {
-    if (!left_.empty()) throw std::runtime_error{"a step has bytes too many"};
+    if (!left_.empty()) throw std::runtime_error{"a step has too many bytes"};
   }
 
  private:
   std::span<const std::uint8_t> take(std::uint64_t count) {
-    if (count > left_.size()) throw std::runtime_error{"a step has bytes too few"};
+    if (count > left_.size()) throw std::runtime_error{"a step has too few bytes"};
     const auto front = left_.first(count);
     left_ = left_.subspan(count);
     return front;

@@ -26,7 +26,7 @@ TraceReader::TraceReader(std::filesystem::path file, const std::string& part) : 
     std::from_chars(heading.data() + before + 1, heading.data() + heading.size(), robots_);
   }
   if (heading + "\n" != runtime::trace_heading(part, robots_)) {
-    throw runtime::StartError{file_.string() + ": is no " + part + " trace of this version"};
+    throw runtime::StartError{file_.string() + ": is not a " + part + " trace of this version"};
   }
 }
 

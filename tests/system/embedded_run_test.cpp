@@ -77,7 +77,7 @@ TEST(EmbeddedRun, EndsWithOneWhenTheTimeRunsOutAndSaysSo) {
   const Ending ending = ending_of(folder, embedded(kSmall, out, {"--max-time", "2"}));
 
   EXPECT_EQ(ending.exit_code, 1);
-  EXPECT_THAT(ending.said, testing::HasSubstr("the time ran out"));
+  EXPECT_THAT(ending.said, testing::HasSubstr("time limit reached"));
   EXPECT_THAT(ending.said, testing::HasSubstr(out.string()));
   EXPECT_EQ(metrics_of(out)["completed"], false);
 }

@@ -166,7 +166,7 @@ TEST(Sweep, ATaskThatIsStartedTwiceRunsOnce) {
 
   Process second{words, folder / "second.log"};
   EXPECT_EQ(second.wait(kPatience), 2);
-  EXPECT_THAT(second.output(), HasSubstr("another start of task 0 is at work in it"));
+  EXPECT_THAT(second.output(), HasSubstr("another start of task 0 is using it"));
   EXPECT_EQ(runner_of(out / "none" / "seed_1"), runner) << "the first one is left alone";
 
   first.signal(SIGKILL);
@@ -221,7 +221,7 @@ TEST(Sweep, RefusesWhatItCannotGoOnWithInOneLine) {
   *std::find(other.begin(), other.end(), "100") = "101";
   EXPECT_THAT(refusal(other), HasSubstr("other options"));
   EXPECT_THAT(refusal(small_sweep(out, {"--task-index", "4"})), HasSubstr("4 runs, counted from 0"));
-  EXPECT_THAT(refusal(small_sweep(out / "scenario.toml")), HasSubstr("cannot be made"));
+  EXPECT_THAT(refusal(small_sweep(out / "scenario.toml")), HasSubstr("cannot be created"));
   EXPECT_THAT(refusal({"caravan", "sweep", "nowhere.toml", "--out", folder / "new"}),
               HasSubstr("nowhere.toml"));
   EXPECT_FALSE(fs::exists(folder / "new"));

@@ -122,7 +122,7 @@ TEST_F(Traces, ThatAreMissingOrDamagedAreNamedWithExitCodeTwo) {
   const fs::path damaged = folder_ / "damaged";
   fs::copy(one, damaged, fs::copy_options::recursive);
   test::write_file(damaged / "trace" / "radio.trace", "nonsense\n");
-  EXPECT_THAT(diff(one, damaged, 2), HasSubstr("is no radio trace"));
+  EXPECT_THAT(diff(one, damaged, 2), HasSubstr("is not a radio trace"));
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ class ReportOfASweep(unittest.TestCase):
 
     def test_has_the_runs_that_did_not_deliver_everything(self) -> None:
         self.assertIn("4 (3)", self.page)
-        self.assertIn("time ran out", self.page)
+        self.assertIn("time limit reached", self.page)
 
     def test_names_the_broken_run_and_goes_on(self) -> None:
         self.assertEqual(self.code, 0)

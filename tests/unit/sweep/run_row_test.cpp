@@ -81,7 +81,7 @@ TEST_F(RunFolder, WhoseMetricsAreNotWhatARunWritesHasFailedAndSaysWhy) {
     for (const Json& value : {Json(nullptr), Json::array({1}), Json::object()}) {
       Json wrong = right;
       wrong[key] = value;
-      EXPECT_THAT(reason_of(wrong), testing::HasSubstr("metrics.json is not what a run writes")) << key;
+      EXPECT_THAT(reason_of(wrong), testing::HasSubstr("metrics.json is not the output of a run")) << key;
     }
     Json without = right;
     without.erase(key);

@@ -76,21 +76,21 @@ TEST_F(SweepFolders, HoldAnyNumberOfTasksButOneSweepOnly) {
   const auto second = claim(plan_, Claim::kTask, 1);
   EXPECT_EQ(refusal(plan_, Claim::kSummarise), "");
   loop_.stop();  // nobody waits for the folder to be free
-  EXPECT_THAT(refusal(plan_), testing::HasSubstr("another sweep is at work"));
+  EXPECT_THAT(refusal(plan_), testing::HasSubstr("another sweep is using it"));
 }
 
 TEST_F(SweepFolders, HoldEachTaskOnce) {
   const auto first = claim(plan_, Claim::kTask, 2);
   loop_.stop();
-  EXPECT_THAT(refusal(plan_, Claim::kTask, 2), testing::HasSubstr("another start of task 2 is at work"));
+  EXPECT_THAT(refusal(plan_, Claim::kTask, 2), testing::HasSubstr("another start of task 2 is using it"));
   EXPECT_EQ(refusal(plan_, Claim::kTask, 3), "");
 }
 
 TEST_F(SweepFolders, AreSummarisedByNobodyWhileASweepWritesItsTables) {
   const auto sweep = claim(plan_);
   loop_.stop();
-  EXPECT_THAT(refusal(plan_, Claim::kSummarise), testing::HasSubstr("another sweep is at work"));
-  EXPECT_THAT(refusal(plan_, Claim::kTask), testing::HasSubstr("another sweep is at work"));
+  EXPECT_THAT(refusal(plan_, Claim::kSummarise), testing::HasSubstr("another sweep is using it"));
+  EXPECT_THAT(refusal(plan_, Claim::kTask), testing::HasSubstr("another sweep is using it"));
 }
 
 }  // namespace

@@ -80,12 +80,12 @@ TEST_F(TraceFiles, ThatAreMissingForeignOrOfTheOtherPartAreRefused) {
   };
   refused("cannot be read");
   { TraceFile radio{file(), kRadioTrace, 2}; }
-  refused("is no world trace");
+  refused("is not a world trace");
   for (const std::string text : {"", "caravan trace 1 world\n", "caravan trace 2 world 4\n",
                                  "\x7f"
                                  "ELF"}) {
     write(file(), text);
-    refused("is no world trace");
+    refused("is not a world trace");
   }
   EXPECT_THROW((TraceFile{folder_.path() / "no" / "where", kWorldTrace, 1}), runtime::StartError);
 }
