@@ -16,14 +16,14 @@ using Time = std::chrono::nanoseconds;
 
 using robot_model::kSonarCount;
 
-/// Where a robot truly is: its base (on the axle, on the floor) in frame W.
+/// True pose of a robot's base (on the axle, on the floor) in frame W.
 struct Pose {
   double x_m = 0.0;
   double y_m = 0.0;
   double yaw_rad = 0.0;  ///< counter-clockwise from east, in (-pi, pi]
 };
 
-/// What a robot senses at one stamp. NaN: not known now. +inf: no echo.
+/// Sensor readings of a robot at one stamp. NaN: currently unknown. +inf: no echo.
 struct Senses {
   std::array<double, kSonarCount> sonar_range_m{};
   std::array<double, kSonarCount> sonar_age_s{};
@@ -35,7 +35,7 @@ struct Senses {
   bool holding = false;
 };
 
-/// What a robot is told to do for one step. Already finite and within the wheel limit (see sanitise()).
+/// A robot's command for one step. Already finite and within the wheel limit (see sanitise()).
 struct Command {
   double left_mps = 0.0;  ///< rim speeds
   double right_mps = 0.0;

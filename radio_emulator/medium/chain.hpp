@@ -9,10 +9,10 @@
 
 namespace caravan::radio {
 
-/// One step of the air for the radio's hash chain: what was sent and what arrived, as docs/digest.md orders
-/// it.
+/// The data of one step of the medium for the radio's hash chain: transmissions and receptions, in the order
+/// of docs/digest.md.
 ///
-/// @param stamp_ns       of the step, simulated time
+/// @param stamp_ns       simulated time of the step
 /// @param transmissions  any order; they are written sorted by robot
 /// @param receptions     as deliver() returned them
 [[nodiscard]] pure::CanonicalBytes chain_link(std::int64_t stamp_ns,

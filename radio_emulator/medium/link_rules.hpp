@@ -18,16 +18,16 @@ struct Area {
   double high_y_m = 0.0;
 };
 
-/// What somebody has told the radio about some links, in both directions.
+/// A rule for the loss on some links, in both directions.
 struct LinkRule {
   std::vector<std::uint32_t> robots;  ///< one end; empty: any robot
   std::vector<std::uint32_t> others;  ///< the other end; empty: any robot
-  std::optional<Area> area;           ///< only links with an end in it
-  std::optional<double> loss;         ///< probability for each frame; none: as the scenario has it
+  std::optional<Area> area;           ///< only links with at least one end inside
+  std::optional<double> loss;         ///< probability for each frame; none: the scenario's value
 };
 
-/// The loss on the link between two stations by the newest rule (the last) that matches it. None: no rule
-/// matches or the newest has none.
+/// The loss on the link between two stations, from the newest rule (the last) that matches it. None: no rule
+/// matches, or the newest one has no loss.
 [[nodiscard]] std::optional<double> loss_on(std::span<const LinkRule> rules, const Station& one,
                                             const Station& other);
 

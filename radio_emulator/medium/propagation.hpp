@@ -8,23 +8,23 @@
 
 namespace caravan::radio {
 
-/// How frames fare between two places. Part of TOML table `[radio]`.
+/// Propagation between two positions. Part of TOML table `[radio]`.
 struct PropagationConfig {
   double range_m =
       robot_model::kRadioRange_m;  ///< hard disc: a frame arrives iff distance(sender, receiver) <= range_m
-  double loss_probability = 0.0;   ///< within it, for each frame and receiver independently, in [0, 1]
+  double loss_probability = 0.0;   ///< within range, independently for each frame and receiver, in [0, 1]
 };
 
-/// What a frame meets between a sender and a receiver.
+/// Properties of the link between a sender and a receiver.
 struct Link {
   double loss_probability = 0.0;
-  double signal_strength_dbm = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the radio does not say
+  double signal_strength_dbm = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not reported
 };
 
-/// The greatest distance at which anything arrives, metres: who is further off need not be looked at.
+/// The greatest distance at which anything arrives, metres: robots further away need not be considered.
 [[nodiscard]] constexpr double greatest_range_m(const PropagationConfig& config) { return config.range_m; }
 
-/// The link over a distance, whose square is given: so the range rule takes no root, and rounds the same
+/// The link over a distance, given by its square: the range rule then needs no root, and rounds the same
 /// everywhere.
 /// @return none: nothing arrives
 [[nodiscard]] constexpr std::optional<Link> propagate(const PropagationConfig& config,

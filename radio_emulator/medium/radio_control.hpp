@@ -20,17 +20,18 @@ struct ClearRules {};
 using RadioAction = std::variant<AddRule, ClearRules>;
 using RadioOrder = pure::Order<RadioAction>;
 
-/// Runtime control of the radio: the rules that somebody has given it, from which step on. Knows no topic.
+/// Runtime control of the radio: the rules given by operators, and the step from which they apply. Has no
+/// topics.
 class RadioControl {
  public:
   explicit RadioControl(std::uint32_t robots) : robots_{robots} {}
 
-  /// @param next_step  the first whose truth has not been seen
-  /// @return none when it is a repetition
+  /// @param next_step  the first step whose truth has not arrived
+  /// @return none if the order is a repetition
   [[nodiscard]] std::optional<pure::Outcome> ask(RadioOrder order, std::uint64_t next_step);
-  /// The truth of `step` is here: its frames go by what is due.
+  /// The truth of `step` has arrived: the orders due by then apply to its frames.
   [[nodiscard]] std::vector<pure::Outcome> reach(std::uint64_t step);
-  /// The run is over: nothing is obeyed any more.
+  /// The run is over: refuses all further orders.
   [[nodiscard]] std::vector<pure::Outcome> end();
 
   [[nodiscard]] std::span<const LinkRule> rules() const { return rules_; }

@@ -24,28 +24,28 @@ namespace caravan::radio {
 
 struct Fleet {
   std::uint32_t robots = 0;                ///< numbered from 1
-  std::vector<std::uint32_t> bodies = {};  ///< sorted; those behind a bridge
+  std::vector<std::uint32_t> bodies = {};  ///< robots behind a bridge, sorted
 };
 
-/// The medium on the bus: with the truth of a step and what its members transmit, computes who receives what.
+/// The medium on the bus: from the truth of a step and the transmissions of its members, computes the
+/// receptions.
 ///
-/// Runs on the bus's receiving thread; the main thread publishes the status. The world alone decides who is a
-/// member: this shell waits for exactly the robots that the truth names, and evaluates an unfinished step
-/// with what it has when the next truth comes (free pacing, or a world that stopped waiting).
+/// Runs on the bus's receiving thread; the main thread publishes the status. The world alone decides
+/// membership: this shell waits for exactly the robots that the truth names, and evaluates an unfinished step
+/// with what it has when the next truth arrives (free pacing, or a world that stopped waiting).
 ///
-/// A robot behind a bridge lives in the bridge's session and time: it is never waited for, what it has sent
-/// goes into the step that is evaluated next, and what it hears has the stamp of the frame that it answered
-/// last.
+/// A robot behind a bridge has the bridge's session and time. It is never waited for; its transmission enters
+/// the step that is evaluated next; its receptions carry the stamp of the frame that it answered last.
 class RadioShell {
  public:
-  /// @param trace  receives what each step adds to the radio's hash chain; null: nobody does
+  /// @param trace  records what each step adds to the radio's hash chain; null: no trace
   RadioShell(const MediumConfig& config, const Fleet& fleet, const runtime::BusConfig& bus,
              std::unique_ptr<runtime::TraceFile> trace, runtime::Loop& loop);
   ~RadioShell();
   RadioShell(const RadioShell&) = delete;
   RadioShell& operator=(const RadioShell&) = delete;
 
-  /// Until the loop is told to stop. @return the exit code
+  /// Runs until the loop is stopped. @return the exit code
   int run();
 
  private:
@@ -53,12 +53,12 @@ class RadioShell {
 
   struct Robot {
     runtime::Tenure agent;
-    /// The newest of a session whose truth is still to come: agents answer the first frame before it.
+    /// The latest one of a session whose truth has not arrived: agents answer the first frame before it.
     std::optional<caravan_interfaces::msg::RadioTransmit> early;
-    std::optional<Time> sent_at;  // stamp of the newest transmission
+    std::optional<Time> sent_at;  // stamp of the latest transmission
     bool is_body = false;         // behind a bridge
-    std::uint64_t session = 0;    // of a body's bridge
-    Transmission pending;         // not evaluated yet; its tuned channel holds on
+    std::uint64_t session = 0;    // session of a body's bridge
+    Transmission pending;         // not evaluated yet; its tuned channel stays valid
   };
 
   void on_truth(const caravan_interfaces::msg::WorldTruth& sample, const runtime::Sender& sender);
@@ -66,17 +66,17 @@ class RadioShell {
   void on_transmit(std::uint32_t robot, const caravan_interfaces::msg::RadioTransmit& sample,
                    const runtime::Sender& sender);
   void take_transmit(Robot& from, const caravan_interfaces::msg::RadioTransmit& sample);
-  /// A participant has gone, or one of its writers: leaving is either.
+  /// Handles the loss of a participant or of one of its writers; either counts as leaving.
   void forget(const runtime::Discovery& gone);
-  /// The next participant that has claimed the role holds it.
+  /// Gives the role to the next participant that has claimed it.
   void hand_over(runtime::Tenure& tenure);
   void read_mailbox();
   void on_control(const caravan_interfaces::msg::ControlRequest& request);
   void reply(const pure::Outcome& outcome);
   void reply(const std::vector<pure::Outcome>& outcomes);
-  /// A session of the world begins: starts everything anew.
+  /// A session of the world begins: resets everything.
   void begin_session(std::uint64_t session);
-  /// The same of a body's own session.
+  /// The same for a body's own session.
   [[nodiscard]] static bool follow_bridge(Robot& robot, std::uint64_t session);
   [[nodiscard]] std::vector<std::uint32_t> awaited() const;
   void evaluate_if_complete();
@@ -93,11 +93,11 @@ class RadioShell {
   std::mutex mutex_;
   std::uint64_t session_ = 0;
   std::vector<Robot> robots_;                                // [0] is robot 1
-  std::optional<caravan_interfaces::msg::WorldTruth> open_;  // the step that is not evaluated yet
-  Time newest_{-1};                                          // stamp of the newest truth
+  std::optional<caravan_interfaces::msg::WorldTruth> open_;  // the step that is not yet evaluated
+  Time newest_{-1};                                          // stamp of the latest truth
   runtime::Tenure world_;
-  bool has_truth_ = false;       // of session_, by the participant that is the world now
-  std::uint64_t next_step_ = 0;  // after the newest truth's
+  bool has_truth_ = false;       // of session_, from the present world
+  std::uint64_t next_step_ = 0;  // the step after that of the latest truth
   RadioControl control_;
   pure::HashChain chain_;
   Drops drops_;
@@ -108,7 +108,7 @@ class RadioShell {
   bool told_refused_writes_ = false;
   std::chrono::nanoseconds compute_{0};
 
-  runtime::Mailbox<runtime::Discovery> mailbox_{loop_};  // who has gone
+  runtime::Mailbox<runtime::Discovery> mailbox_{loop_};  // lost participants
 
   runtime::Bus bus_;  // after the state, so that no callback outlives it
   runtime::Writer<caravan_interfaces::msg::RadioStepPubSubType> radio_steps_;

@@ -11,16 +11,15 @@
 
 namespace caravan::world {
 
-/// Where one hull presses on something: contacts at the height of the centre of mass, normals level and
-/// pointing into the first hull.
+/// Contacts of one hull: at the height of the centre of mass, normals horizontal and pointing into the hull.
 ///
-/// All hulls are upright, so contacts that lie above each other say the same and are merged: a knock turns a
-/// robot but does not tip it, and the solver has half as many, none of which depend on each other.
+/// All hulls are upright, so contacts above each other are redundant and are merged: an impact turns a robot
+/// but does not tip it, and the solver has half as many contacts, none of which depend on each other.
 class Bumps {
  public:
   explicit Bumps(double height) : height_{height} {}
 
-  /// Adds what `hull` and `thing` share. @return do they touch?
+  /// Adds the contacts of `hull` and `thing`. @return whether they touch
   bool add(dGeomID hull, dGeomID thing);
   [[nodiscard]] std::span<const dContactGeom> all() const { return contacts_; }
   void clear() { contacts_.clear(); }
@@ -32,8 +31,7 @@ class Bumps {
   std::vector<dContactGeom> contacts_;
 };
 
-/// Makes the contacts hard for the next physics step: the solver finds the forces that keep them from
-/// closing.
+/// Makes the contacts hard for the next physics step: the solver finds the forces that prevent penetration.
 void hold_apart(const OdeSession& ode, std::span<const dContactGeom> contacts);
 
 /// A spring and a damper that push two hulls apart in the next physics step.
@@ -42,7 +40,7 @@ struct Spring {
   double damping_ns_per_m = 0.0;
 };
 
-/// The stiffest that stays calm when a body of this mass is pressed by five others.
+/// The stiffest spring that is stable when five others press a body of this mass.
 [[nodiscard]] Spring calm_spring(double mass_kg, double substep_s);
 
 void push_apart(std::span<const dContactGeom> contacts, const Spring& spring);

@@ -19,10 +19,10 @@ struct Touch {
   auto operator<=>(const Touch&) const = default;
 };
 
-/// How far a body is from standing upright on the floor.
+/// Deviation of a body from standing upright on the floor.
 struct Stance {
-  double tilt_rad = 0.0;  ///< of its vertical axis
-  double lift_m = 0.0;    ///< of its base above the floor; below it when negative
+  double tilt_rad = 0.0;  ///< tilt of its vertical axis
+  double lift_m = 0.0;    ///< height of its base above the floor; negative: below it
 };
 
 /// The rigid bodies of a world: robots on two driven wheels and a caster, and everything static.
@@ -31,37 +31,37 @@ struct Stance {
 /// else runs in the process. Robots are indexed from 0 here.
 class Dynamics {
  public:
-  /// @throws PhysicsError when ODE refuses such a body
+  /// @throws PhysicsError when ODE refuses the body
   Dynamics(const WorldConfig& config, std::span<const Pose> starts);
   ~Dynamics();
   Dynamics(Dynamics&&) noexcept;
   Dynamics& operator=(Dynamics&&) noexcept;
 
-  /// Rim speeds that the wheel motors hold from now on, as far as their torque allows.
+  /// Sets the rim speeds that the wheel motors hold, as far as their torque allows.
   void drive(std::size_t robot, double left_mps, double right_mps);
-  /// Takes the motors off the wheels, or puts them back.
+  /// Disconnects the motors from the wheels, or connects them again.
   void free_wheels(std::size_t robot, bool free);
-  /// A force at the centre of mass along the heading, for the whole of the next step.
+  /// Applies a force at the centre of mass along the heading, for the whole next step.
   void push(std::size_t robot, double force_n);
 
-  /// Puts a robot somewhere, at rest, wherever it was. What its wheels have turned stays as it was.
-  /// @pre nothing else is there
+  /// Places a robot at a pose, at rest. Its wheel angles do not change.
+  /// @pre the place is free
   void place(std::size_t robot, const Pose& pose);
-  /// Takes a robot out: nothing touches it, and its pose is NaN, until it is placed.
+  /// Removes a robot: nothing touches it, and its pose is NaN, until it is placed.
   void remove(std::size_t robot);
 
-  /// One step of config.step_s. @throws PhysicsError naming the robots of which ODE can make nothing
+  /// One step of config.step_s. @throws PhysicsError naming the robots that ODE cannot step
   void advance();
 
   [[nodiscard]] std::span<const Pose> poses() const;
   [[nodiscard]] double left_wheel_rad(std::size_t robot) const;
   [[nodiscard]] double right_wheel_rad(std::size_t robot) const;
   [[nodiscard]] Stance stance(std::size_t robot) const;
-  /// What ODE's solver complained of in the last step, with the robots' numbers; empty: nothing. It has gone
-  /// on with what it had, which is right to the eye where bodies lie flat against each other, and a guess
-  /// elsewhere.
+  /// Warning of ODE's solver in the last step, with the robots' numbers; empty: none. The solver has
+  /// continued with an approximate result, which is accurate where bodies lie flat against each other, and a
+  /// guess elsewhere.
   [[nodiscard]] const std::string& complaint() const;
-  /// During the last step: sorted, each pair once.
+  /// Touches during the last step: sorted, each pair once.
   [[nodiscard]] std::span<const Touch> touches() const;
 
  private:

@@ -7,10 +7,10 @@
 
 namespace caravan::world {
 
-/// An ODE world with a group for the contacts of one physics step. Several may live in one process, each used
-/// by one thread at a time.
+/// An ODE world with a group for the contacts of one physics step. Several may exist in one process, each
+/// used by one thread at a time.
 ///
-/// Where ODE would end the process it throws PhysicsError from whatever function of it was called.
+/// Where ODE would end the process, the called function throws PhysicsError.
 class OdeSession {
  public:
   OdeSession();
@@ -18,13 +18,13 @@ class OdeSession {
   OdeSession(const OdeSession&) = delete;
   OdeSession& operator=(const OdeSession&) = delete;
 
-  /// ODE keeps scratch space for each thread that it is used from: to be called before a series of calls.
+  /// ODE keeps scratch space per thread: call this before a series of calls on a thread.
   static void prepare_thread();
 
-  /// One physics step, after which the contacts are gone.
+  /// One physics step; removes the contacts afterwards.
   void step(double seconds);
 
-  /// What ODE's solver has complained of in this thread since the last call, the first of it; empty: nothing.
+  /// The first warning of ODE's solver in this thread since the last call; empty: none.
   [[nodiscard]] static std::string take_complaint();
 
   [[nodiscard]] dWorldID world() const { return world_; }
@@ -33,9 +33,9 @@ class OdeSession {
  private:
   dWorldID world_;
   dJointGroupID contacts_;
-  bool is_broken_ = false;  // a step of it was left in the middle
+  bool is_broken_ = false;  // a step was aborted
   dThreadingImplementationID
-      threading_;  // its own: the one that worlds share by default is for one thread alone
+      threading_;  // its own: the one that worlds share by default supports only one thread
 };
 
 }  // namespace caravan::world

@@ -5,7 +5,7 @@
 
 namespace caravan::world {
 
-/// The physics cannot go on: which robot, and why. The world that threw it is of no use any more.
+/// The physics cannot continue; the text names the robot and the reason. The world that threw it is unusable.
 struct PhysicsError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

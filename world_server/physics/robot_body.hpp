@@ -13,7 +13,7 @@ namespace caravan::world {
 struct BodyPlan {
   explicit BodyPlan(const runtime::RobotsTable& robots);
 
-  dVector3 box_size{};     ///< of the hull, which ends above the floor
+  dVector3 box_size{};     ///< of the hull, whose lower edge is above the floor
   dVector3 box_centre{};   ///< in B
   dVector3 mass_centre{};  ///< of the chassis, in B
   double wheel_radius = 0.0;
@@ -23,7 +23,7 @@ struct BodyPlan {
   double chassis_mass = 0.0;
   double wheel_mass = 0.0;
   double wheel_inertia = 0.0;
-  double motor_torque = 0.0;  ///< limit of each
+  double motor_torque = 0.0;  ///< limit of each motor
 };
 
 /// One robot's bodies, joints and hull.
@@ -36,10 +36,10 @@ struct RobotBody {
   dGeomID hull = nullptr;
 };
 
-/// At the origin, heading east.
+/// Builds a robot at the origin, heading east.
 [[nodiscard]] RobotBody build_robot(dWorldID world, const BodyPlan& plan);
 
-/// Contacts of the wheels and the caster with the floor, if they touch it.
+/// Adds contacts of the wheels and the caster with the floor, where they touch it.
 void add_floor_contacts(dWorldID world, dJointGroupID contacts, const RobotBody& body, const BodyPlan& plan);
 
 }  // namespace caravan::world

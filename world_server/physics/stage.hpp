@@ -14,8 +14,8 @@ namespace caravan::world {
 
 /// An ODE world that holds one or two robots of a fleet while they take a physics step.
 ///
-/// What happens on it depends only on the states that entered, not on who was there before. So a fleet of any
-/// size is stepped in memory that stays in the processor's cache.
+/// The result depends only on the states that entered, not on earlier robots. A fleet of any size is
+/// therefore stepped in memory that stays in the processor's cache.
 class Stage {
  public:
   Stage(const WorldConfig& config, const Statics& statics, std::size_t robots);
@@ -25,20 +25,20 @@ class Stage {
 
   void enter(std::size_t place, const RobotState& state) { load(state, robots_[place], plan_); }
   void leave(std::size_t place, RobotState& state) const { store(robots_[place], state); }
-  /// Only the forces that the robot at `place` is to feel in its next step.
+  /// Stores only the forces on the robot at `place` in its next step.
   void leave_forces(std::size_t place, RobotState& state) const { store_forces(robots_[place], state); }
 
-  /// Lets the robot at `place`, which entered with `state`, rest on the floor and feel its push in the next
-  /// step.
+  /// Prepares the next step: the robot at `place`, which entered with `state`, rests on the floor, and its
+  /// push is applied.
   void stand(std::size_t place, const RobotState& state);
-  /// Lets it bump, in the next step, into what is static around its base. @return does it touch any of it?
+  /// Adds its contacts with static things around its base for the next step. @return whether it touches any
   bool bump(std::size_t place, Point base);
-  /// Do the two robots here touch each other? contacts() tells where, until the next call.
+  /// Whether the two robots touch each other. contacts() has the places, until the next call.
   [[nodiscard]] bool meet();
   [[nodiscard]] std::span<const dContactGeom> contacts() const { return bumps_.all(); }
-  /// In the next step. `contacts` are those of a meet() of the same two.
+  /// Separates the two in the next step with hard contacts. `contacts` are those of a meet() of the same two.
   void hold_apart(std::span<const dContactGeom> contacts);
-  /// By forces with which they leave. `contacts` are those of a meet() of the same two.
+  /// Separates the two with forces, which leave() stores. `contacts` are those of a meet() of the same two.
   void push_apart(std::span<const dContactGeom> contacts);
   /// One physics step.
   void step(double seconds) { ode_.step(seconds); }

@@ -13,7 +13,7 @@ namespace caravan::world {
 /// Everything that does not move: walls, boxes, outlines as rings of boxes, cylinders, and the floor.
 class Statics {
  public:
-  /// @param reach  how far from its place a robot may touch something before it is asked for again, metres
+  /// @param reach  distance from `place` at which a robot may touch something before the next near(), metres
   Statics(const WorldConfig& config, double reach);
   ~Statics();
   Statics(const Statics&) = delete;

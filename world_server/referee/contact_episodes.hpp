@@ -10,12 +10,12 @@
 
 namespace caravan::world {
 
-/// Makes episodes out of touches: those of one pair belong together until it has been apart for a second.
+/// Groups touches into episodes: those of one pair belong together until it has been apart for a second.
 class ContactEpisodes {
  public:
   static constexpr Time kApart = std::chrono::seconds{1};
 
-  /// @param now       must not go back
+  /// @param now       must not decrease
   /// @param touching  the pairs that touch now, each once
   /// @return episodes that begin now, in the order of `touching`
   [[nodiscard]] std::vector<ContactEpisode> begun(Time now, std::span<const ContactEpisode> touching);

@@ -17,25 +17,24 @@ struct ItemRules {
   std::uint32_t items = 0;        ///< to deliver; 0: any number
 };
 
-/// Where the items are.
+/// The state of the items and grippers.
 ///
 /// | gripper | within the radius of the source | of the destination | elsewhere |
 /// |---|---|---|---|
 /// | closes | takes an item if there is one | holds nothing, counted | holds nothing, counted |
 /// | opens, holding | item goes back to the stock | delivered | item goes back to the stock |
 ///
-/// The source begins with one item more for each robot than is to be delivered, so that a robot that is lost
-/// with an item in its gripper does not keep the others from finishing. No item is ever lost: stock + held +
-/// delivered stays the same. A gripper that stays as it is does nothing.
+/// The source starts with one more item per robot than must be delivered, so that a robot that is lost with
+/// an item in its gripper does not prevent the others from finishing. No item is ever lost: stock + held +
+/// delivered is constant. A gripper that keeps its state has no effect.
 class Items {
  public:
   Items(const ItemRules& rules, std::uint32_t robots);
 
-  /// A gripper's position now. Robots are numbered from 1.
+  /// Applies a gripper's command. Robots are numbered from 1.
   std::optional<ItemEvent> grip(std::uint32_t robot, const Pose& pose, bool closed);
 
-  /// A robot is taken out of the world: its gripper is open from now on, and what it held is back in the
-  /// stock.
+  /// A robot is removed from the world: its gripper opens, and the item it held returns to the stock.
   void withdraw(std::uint32_t robot);
 
   [[nodiscard]] bool holds(std::uint32_t robot) const { return grippers_[robot - 1].holding; }
@@ -43,7 +42,7 @@ class Items {
   [[nodiscard]] std::uint32_t stock() const { return stock_; }
   [[nodiscard]] std::uint32_t delivered() const { return delivered_; }
   [[nodiscard]] std::uint64_t empty_closings() const { return empty_closings_; }
-  /// Is nothing left to deliver?
+  /// Whether nothing is left to deliver.
   [[nodiscard]] bool all_delivered() const { return rules_.items > 0 && delivered_ >= rules_.items; }
 
  private:

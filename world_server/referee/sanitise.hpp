@@ -6,12 +6,12 @@
 
 namespace caravan::world {
 
-/// A wheel command fit for the motors, and what was wrong with it.
+/// A wheel command that the motors can execute, and how it was corrected.
 struct Sanitised {
   double left_mps = 0.0;
   double right_mps = 0.0;
   bool refused = false;  ///< a speed was not finite: both wheels stop
-  bool clamped = false;  ///< a speed was beyond the limit and is now at it
+  bool clamped = false;  ///< a speed was beyond the limit and is clamped to it
   bool operator==(const Sanitised&) const = default;
 };
 

@@ -11,16 +11,17 @@
 
 namespace caravan::world {
 
-/// The noise of one robot's sonars, GPS and compass; each device draws from a stream of its own, seeded by
+/// The noise of one robot's sonars, GPS and compass; each device draws from its own stream, seeded by
 /// the scenario and the robot.
 class Devices {
  public:
   /// @param robot  numbered from 1
   Devices(const runtime::RobotsTable& robots, std::uint64_t seed, std::uint32_t robot);
 
-  /// Relative noise on each range that is an echo; it is never negative and never makes or hides an echo.
+  /// Relative noise on each range that is an echo; the result is never negative, and noise never adds or
+  /// hides an echo.
   [[nodiscard]] std::array<double, kSonarCount> sonar(std::array<double, kSonarCount> ranges_m);
-  /// The position in the result; its yaw is that of the compass.
+  /// The position of the GPS, with the yaw of the compass.
   [[nodiscard]] Pose locate(const Pose& truth);
 
  private:

@@ -14,25 +14,25 @@
 
 namespace caravan::world {
 
-/// What all sonars of a fleet hear in a world of upright solids on a floor.
+/// The sonars of a whole fleet in a world of upright solids on a floor.
 ///
-/// Each ray ends at the nearest surface, the floor included. It brings an echo when the angle between it and
-/// the inward normal of that surface is below reflection_rad, otherwise it is lost. A transducer's range is
-/// the nearest echo of its rays within range_m, +inf when there is none, 0 when it is inside something. A
-/// robot never hears its own body. Other robots are upright boxes from the floor to body_height_m, unless
-/// they are not solid: then nobody hears them.
+/// Each ray ends at the nearest surface, the floor included. It returns an echo if the angle between it and
+/// the inward normal of that surface is below reflection_rad. A transducer's range is the nearest echo of its
+/// rays within range_m, +inf if there is none, 0 if it is inside something. A robot never detects its own
+/// body. Other robots are upright boxes from the floor to body_height_m, unless they are not solid: then no
+/// sonar detects them.
 class Sonars {
  public:
   explicit Sonars(const WorldConfig& config);
 
-  /// Where the robots are now. To be called before `ranges` whenever they have moved.
+  /// Sets the poses of the robots. Call it before `ranges` whenever they have moved.
   void place(std::span<const Pose> poses);
 
   /// The ranges of one robot (index from 0), without noise.
   [[nodiscard]] std::array<double, kSonarCount> ranges(std::size_t robot);
 
  private:
-  /// One upright side of a solid, which lies to the left of it.
+  /// One upright side of a solid; the solid is to the left of it.
   struct Face {
     Point begin;
     Point along;  // unit
@@ -44,20 +44,20 @@ class Sonars {
     double radius = 0.0;
     double height = 0.0;
   };
-  /// A face as one transducer sees it.
+  /// A face in the frame of one transducer.
   struct FaceAhead {
-    Point to;             // its beginning
+    Point to;             // its first end
     Point along;          // unit
-    double before = 0.0;  // distance of the transducer in front of it
+    double before = 0.0;  // distance of the transducer from its plane
     double length = 0.0;
     double height = 0.0;
   };
-  /// What may matter to one robot.
+  /// Surfaces that one robot may detect.
   struct Nearby {
     std::vector<Face> faces;
     std::vector<Disc> discs;
-    std::vector<const Solid*> low;    // whose tops lie below the transducers
-    std::vector<const Solid*> close;  // that a transducer may be inside of
+    std::vector<const Solid*> low;    // whose tops are below the transducers
+    std::vector<const Solid*> close;  // which a transducer may be inside
     void clear();
   };
   struct Hit {
@@ -101,7 +101,7 @@ class Sonars {
   std::vector<Point> bases_;     // of the robots
   std::vector<Point> headings_;  // unit
   Neighbours neighbours_;
-  // Scratch of the robot and the transducer at hand.
+  // Scratch space for the current robot and transducer.
   std::vector<std::uint32_t> others_;
   std::vector<Solid> bodies_;  // those that are low or close
   Nearby around_;

@@ -12,7 +12,7 @@ inline constexpr double kSonarHeight = 0.2115;  ///< m above the floor
 
 /// A direction in space, of unit length.
 struct Ray {
-  Point flat;  ///< its part along the floor
+  Point flat;  ///< its horizontal part
   double up = 0.0;
 };
 

@@ -10,14 +10,14 @@
 
 namespace caravan::world {
 
-/// Which of many moving points are near a place.
+/// Finds the points near a place among many moving points.
 class Neighbours {
  public:
-  /// @param points  one with a NaN is nowhere
+  /// @param points  a point with a NaN is never found
   /// @param reach   metres, > 0
   void rebuild(std::span<const Point> points, double reach);
 
-  /// Indices of the points within reach of `place`, ascending; replaces what `found` held.
+  /// Indices of the points within reach of `place`, ascending; replaces the content of `found`.
   void near(Point place, std::vector<std::uint32_t>& found) const;
 
  private:

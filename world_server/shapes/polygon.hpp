@@ -15,7 +15,7 @@ using Polygon = std::vector<Point>;
 /// Positive for counter-clockwise vertices.
 [[nodiscard]] double signed_area(std::span<const Point> polygon);
 
-/// Is `point` inside? On the edge itself either answer may come.
+/// Whether `point` is inside. On the edge itself either result is possible.
 [[nodiscard]] bool contains(std::span<const Point> polygon, Point point);
 
 [[nodiscard]] double distance_to_segment(Point point, Point a, Point b);
@@ -29,13 +29,13 @@ using Polygon = std::vector<Point>;
 /// The vertices of an outline, counter-clockwise.
 [[nodiscard]] Polygon counter_clockwise(const Outline& outline);
 
-/// How thick the boxes of a ring are.
+/// Thickness of the boxes of a ring.
 inline constexpr double kRingThickness = 0.2;
 
-/// An outline as physics knows it: one box inside each edge, their outer faces on the edges.
+/// An outline as used by physics: one box inside each edge, its outer face on the edge.
 ///
-/// At an acute corner the boxes are cut short where they would stick out of the other edge; a thinner pair
-/// goes on nearly to the tip. The ring is hollow; nothing gets in because its boxes touch at every vertex.
+/// At an acute corner the boxes are shortened where they would protrude from the other edge; a thinner pair
+/// continues nearly to the tip. The ring is hollow; nothing gets in because its boxes touch at every vertex.
 /// @pre the outline is simple
 [[nodiscard]] std::vector<Box> ring_of_boxes(const Outline& outline);
 

@@ -9,16 +9,16 @@
 
 namespace caravan::world {
 
-/// For each square metre of the arena (or a millionth of it, if that is more) the static things within reach
-/// of it, worked out once.
+/// For each square metre of the arena (or a millionth of the arena, if that is larger) the static things
+/// within reach of it, computed once.
 class ReachMap {
  public:
-  /// @param things  what to find, by what they extend over
+  /// @param things  extents of the things to find
   /// @param reach   metres, >= 0
   ReachMap(const std::array<double, 2>& arena_m, std::span<const Extent> things, double reach);
 
-  /// Indices of all things within reach of `place`, and some others; ascending. A place outside the arena is
-  /// taken for the nearest one inside.
+  /// Indices of all things within reach of `place`, and some others; ascending. For a place outside the
+  /// arena, those of the nearest place inside.
   [[nodiscard]] std::span<const std::uint32_t> near(Point place) const;
 
  private:

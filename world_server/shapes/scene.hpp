@@ -7,8 +7,8 @@
 
 namespace caravan::world {
 
-/// Anything that stands on the floor with vertical sides and a flat top: a prism over a polygon, or over a
-/// disc when `outline` is empty.
+/// A thing on the floor with vertical sides and a flat top: a prism over a polygon, or over a
+/// disc if `outline` is empty.
 struct Solid {
   Polygon outline;  ///< counter-clockwise
   Point centre;     ///< of the disc
@@ -23,10 +23,10 @@ struct Extent {
 
 [[nodiscard]] Extent extent_of(const Solid& solid);
 [[nodiscard]] bool contains(const Solid& solid, Point point);
-/// From a point to the solid's side; 0 inside.
+/// Distance from a point to the solid's side; 0 inside.
 [[nodiscard]] double distance_to(const Solid& solid, Point point);
 
-/// Boxes of this thickness stand around the arena, their inner faces on its edge.
+/// Thickness of the boxes around the arena; their inner faces are on its edge.
 inline constexpr double kWallThickness = 0.2;
 
 [[nodiscard]] std::vector<Box> arena_walls(const std::array<double, 2>& arena_m, double height_m);

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-/// The static things of a world as a scenario describes them. All stand on the floor.
+/// The static things of a world as described in a scenario. All stand on the floor.
 namespace caravan::world {
 
 /// A solid box, turned about its centre.
@@ -21,7 +21,7 @@ struct Cylinder {
   double height_m = 1.0;
 };
 
-/// A simple polygon, possibly concave; vertices in either direction of turning.
+/// A simple polygon, possibly concave; vertices in either orientation.
 struct Outline {
   std::vector<std::array<double, 2>> points_m;
   double height_m = 1.0;

@@ -14,7 +14,7 @@
 
 namespace caravan::world {
 
-/// The observer that keeps the world from its next step, and since when.
+/// The observer that delays the world's next step, and since when.
 struct HeldBack {
   std::optional<std::string> by;
   Wall since{};
@@ -25,13 +25,14 @@ struct HeldBack {
   }
 };
 
-/// The observers that must lose nothing, and how far each has come.
+/// The observers that must not miss a step, and the last step that each has handled.
 class Credits {
  public:
   /// @param awaited observers without which the run does not start
   explicit Credits(const std::vector<std::string>& awaited) : awaited_{awaited.begin(), awaited.end()} {}
 
-  /// @return false: refused, because another participant has that name, or too many observers are not awaited
+  /// @return false: refused, because another participant has that name, or there are too many observers that
+  /// are not awaited
   bool give(const std::string& observer, const runtime::Sender& from, Time handled) {
     if (!entries_.contains(observer) && !is_awaited(observer) && entries_.size() >= kMost) return false;
     Entry& entry = entries_[observer];
@@ -50,11 +51,11 @@ class Credits {
     }
     std::erase_if(entries_, [](const auto& one) { return !one.second.who.holder(); });
   }
-  /// It holds nobody back until it gives credit again.
+  /// Stops waiting for the observer until it gives credit again.
   void let_go(const std::string& observer) { entries_.erase(observer); }
 
   [[nodiscard]] bool is_awaited(const std::string& observer) const { return awaited_.contains(observer); }
-  /// Names among the awaited that have not spoken.
+  /// Awaited observers that have not given credit yet.
   [[nodiscard]] std::vector<std::string> missing() const {
     std::vector<std::string> names;
     for (const std::string& name : awaited_) {
@@ -62,7 +63,7 @@ class Credits {
     }
     return names;
   }
-  /// The observer that keeps the world from a step at `now`, if one does.
+  /// The observer that prevents a step at `now`, if there is one.
   [[nodiscard]] std::optional<std::string> holding_back(Time now, Time furthest_ahead) const {
     for (const auto& [name, entry] : entries_) {
       if (entry.handled && now - *entry.handled > furthest_ahead) return name;

@@ -9,14 +9,14 @@
 
 namespace caravan::world {
 
-/// What the status says of the past.
+/// Totals for the status.
 struct Tallies {
   explicit Tallies(std::uint32_t robots) : refused_commands(robots), clamped_commands(robots) {}
 
   std::vector<std::uint64_t> refused_commands;  // by robot, [0] is robot 1
   std::vector<std::uint64_t> clamped_commands;
   std::uint64_t stale_samples = 0;
-  std::uint64_t physics_complaints = 0;  // steps in which the solver complained
+  std::uint64_t physics_complaints = 0;  // steps with a warning of the solver
   std::chrono::nanoseconds physics{0};
   std::chrono::nanoseconds sensors{0};
   Wall started{};
@@ -25,7 +25,7 @@ struct Tallies {
   Wall last_status{};
 };
 
-/// Adds the time it lives to a tally.
+/// Adds its lifetime to a tally.
 class Stopwatch {
  public:
   explicit Stopwatch(std::chrono::nanoseconds& tally)

@@ -11,7 +11,7 @@
 
 namespace caravan::world {
 
-/// The world's values as they stand on the wire. `stamp` and `session` are the caller's to set.
+/// Converts the world's values to the wire. The caller sets `stamp` and `session`.
 void to_wire(const Senses& senses, caravan_interfaces::msg::SensorFrame& frame);
 void to_wire(const World& world, std::span<const std::uint32_t> members,
              caravan_interfaces::msg::WorldTruth& truth);

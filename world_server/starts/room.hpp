@@ -9,10 +9,10 @@
 
 namespace caravan::world {
 
-/// What keeps a robot from standing at `place`, however it is turned: a wall, something solid or another
-/// robot. Empty when there is room for it.
+/// Describes what prevents a robot from standing at `place` in any orientation: a wall, a solid or another
+/// robot. Empty if there is room for it.
 ///
-/// @param poses where the robots are, [0] is robot 1
+/// @param poses poses of the robots, [0] is robot 1
 [[nodiscard]] std::string obstacle_at(const WorldConfig& config, std::span<const Pose> poses,
                                       std::uint32_t robot, const Pose& place);
 
