@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-/// The one table of topics that every process uses: name, type, quality of service, who may write, who may
+/// The table of topics that every process uses: name, type, quality of service, who may write, who may
 /// read.
 namespace caravan::idl {
 
@@ -16,23 +16,24 @@ enum class Party : std::uint8_t {
   kAgent,
   kObserver,
   kBridge,        ///< in place of world or radio: between an agent and a real robot or a real radio
-  kEmulatedRobot  ///< what a bridge is connected to, where there is no real robot
+  kEmulatedRobot  ///< the peer of a bridge when there is no real robot
 };
 
-/// How a topic's samples travel. All but kLatest are RELIABLE, all but kLatest and kRequest TRANSIENT_LOCAL.
+/// How a topic's samples are delivered. All but kLatest are RELIABLE, all but kLatest and kRequest
+/// TRANSIENT_LOCAL.
 enum class Delivery : std::uint8_t {
   kStep,      ///< in the step's path: shallow history
-  kObserved,  ///< must survive a late observer: history deeper than the world may run ahead of it
-  kHealth,    ///< the newest few count
-  kRequest,   ///< for whoever is there now: nobody who starts later obeys it
-  kLatest     ///< BEST_EFFORT, VOLATILE, the newest only
+  kObserved,  ///< must not be lost by a late observer: a history longer than the world may run ahead
+  kHealth,    ///< only the latest few matter
+  kRequest,   ///< only for present processes: one that starts later never receives it
+  kLatest     ///< BEST_EFFORT, VOLATILE, only the latest
 };
 
 struct Topic {
-  std::string_view name;  ///< "<i>" stands for the robot's number
-  std::string_view type;  ///< as it stands on the wire
+  std::string_view name;  ///< "<i>" is replaced by the robot's number
+  std::string_view type;  ///< as on the wire
   Delivery delivery;
-  std::array<Party, 2> writers;  ///< one writer: named twice
+  std::array<Party, 2> writers;  ///< a single writer is listed twice
   std::array<Party, 2> readers;
 };
 

@@ -11,9 +11,9 @@ int main(int argc, char** argv) {
   std::vector<std::string> bodies;
   const runtime::Program program{
       .name = "radio_emulator",
-      .purpose = "The emulated radio: who hears which frame, by range and channel",
+      .purpose = "The emulated radio: delivers frames by range and channel",
       .texts = {
-          {"--trace", "File that receives what each step adds to the radio's hash chain", &trace_file},
+          {"--trace", "File for the data that each step adds to the radio's hash chain", &trace_file},
           {"--bodies", "Robots behind a bridge, such as 1-3 or 2,4: their frames have the bridge's stamps",
            &bodies}}};
   return runtime::run_process(

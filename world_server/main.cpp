@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
       .purpose = "The emulated world: physics, sensors, items and the step barrier",
       .texts = {
           {"--await", "Observer without which the run does not start", &awaited},
-          {"--trace", "File that receives what each step adds to the world's hash chain", &trace_file},
+          {"--trace", "File for the data that each step adds to the world's hash chain", &trace_file},
           {"--bodies", "Robots behind a bridge, such as 1-3 or 2,4: served as rt/body_<i> (pacing free)",
            &bodies}}};
   return runtime::run_process(

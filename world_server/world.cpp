@@ -80,15 +80,15 @@ struct World::Impl {
     begun = contacts.begun(now(), touching);
   }
 
-  /// Where in the link the bytes of what comes now begin: at its front, or behind the robots that were placed
-  /// since the last step.
+  /// Start of the bytes to be added to the link: its front, or after the robots that were placed since the
+  /// last step.
   std::size_t begin_link() {
     if (link_whole) link.clear();
     link_whole = false;
     return link.view().size();
   }
 
-  /// A robot was put somewhere or taken out.
+  /// Records that a robot was placed or removed.
   void moved(std::uint32_t robot) {
     sonars.place(dynamics.poses());
     const std::size_t before = begin_link();
@@ -117,7 +117,7 @@ struct World::Impl {
   std::vector<Devices> devices;  // by robot
   Items items;
   ContactEpisodes contacts;
-  pure::CanonicalBytes link;  // of the last step, or of the next as far as it is known
+  pure::CanonicalBytes link;  // of the last step, or of the next one so far
   bool link_whole = false;    // its step has been taken
   pure::HashChain chain;
   std::vector<ItemEvent> item_events;
@@ -127,7 +127,7 @@ struct World::Impl {
 
 World::World(const WorldConfig& config) try : impl_{std::make_unique<Impl>(config)} {
 } catch (const PhysicsError& error) {
-  throw runtime::StartError{std::string{"robots: the physics refuses such a body: "} + error.what()};
+  throw runtime::StartError{std::string{"robots: the physics refuses this body: "} + error.what()};
 }
 World::~World() = default;
 World::World(World&&) noexcept = default;

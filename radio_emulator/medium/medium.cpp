@@ -9,7 +9,7 @@
 namespace caravan::radio {
 namespace {
 
-/// A station that takes part: it has a place and a transmission.
+/// A station that takes part: it has a position and a transmission.
 struct Radio {
   const Station* station;
   const Transmission* transmission;
@@ -42,7 +42,7 @@ std::vector<Radio> radios_by_robot(std::span<const Station> stations,
   return radios;
 }
 
-/// The air while one step's frames are in it.
+/// The medium during one step.
 class Air {
  public:
   Air(const MediumConfig& config, std::uint64_t step, std::vector<Radio> radios,
@@ -75,7 +75,7 @@ class Air {
     Link link;
   };
 
-  /// Senders go in the order of their ids, so each queue fills in that order.
+  /// Call it in ascending order of sender ids; each queue fills in that order.
   void send(std::size_t sender) {
     find_neighbours(sender);
     const Transmission& transmission = *radios_[sender].transmission;
@@ -112,8 +112,8 @@ class Air {
     return pure::unit_interval(word) < loss;
   }
 
-  /// Walks from the sender's rank to the east and to the west until the distance in x alone is beyond range.
-  /// The square of it is compared, as in the range rule itself: rounding cannot make the two disagree.
+  /// Searches from the sender's rank to the east and to the west until the distance in x alone exceeds the
+  /// range. Compares squares, as the range rule does, so that rounding cannot make the two disagree.
   void find_neighbours(std::size_t sender) {
     neighbours_.clear();
     const std::size_t rank = rank_[sender];
@@ -141,9 +141,9 @@ class Air {
   std::uint64_t step_;
   std::vector<Radio> radios_;  // by robot
   std::span<const LinkRule> rules_;
-  std::vector<std::size_t> west_to_east_;  // indices of radios_ by x; those without a place are missing
+  std::vector<std::size_t> west_to_east_;  // indices of radios_ by x; those without a position are missing
   std::vector<std::size_t> rank_;          // of each radio in west_to_east_; radios_.size(): missing
-  std::vector<Neighbour> neighbours_;      // of the present sender
+  std::vector<Neighbour> neighbours_;      // of the current sender
   std::vector<Reception> receptions_;      // by robot
   Drops& drops_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked of the running radio, and its answers.
+// Control requests to the running radio, and its replies.
 #include <cmath>
 
 #include "radio_emulator/shell/radio_shell.hpp"
@@ -29,7 +29,7 @@ RadioAction to_action(const msg::ControlRequest& request) {
 void RadioShell::on_control(const msg::ControlRequest& request) {
   if (request.action() != kind::RADIO_OVERRIDE && request.action() != kind::RADIO_CLEAR) return;
   const std::lock_guard lock{mutex_};
-  // Before the first truth it is the request that tells which session is the world's.
+  // Before the first truth, the request tells which session is the world's.
   if (!has_truth_ && request.session() > session_) begin_session(request.session());
   if (request.session() != session_) {
     reply(Outcome{request.requester(), request.id(), Outcome::Kind::kRefused, 0, "that session is over"});

@@ -63,7 +63,7 @@ void RadioShell::begin_session(std::uint64_t session) {
   chain_ = {};
   if (trace_) trace_->restart();
   for (Robot& robot : robots_) {
-    if (robot.is_body) continue;  // its bridge goes on
+    if (robot.is_body) continue;  // its bridge has its own session
     robot.sent_at.reset();
     robot.pending.tuned = 0;
     robot.pending.frames.clear();
@@ -94,7 +94,7 @@ void RadioShell::on_truth(const msg::WorldTruth& sample, const Sender& sender) {
 
 void RadioShell::take_truth(const msg::WorldTruth& sample) {
   const Time stamp = idl::to_time(sample.stamp());
-  // A world has one session; that of another one may have any number.
+  // A world has one session; another world's session may have any number.
   if (sample.session() != session_ && !(has_truth_ && sample.session() < session_)) {
     begin_session(sample.session());
   }
@@ -102,7 +102,8 @@ void RadioShell::take_truth(const msg::WorldTruth& sample) {
     ++stale_samples_;
     return;
   }
-  if (!std::exchange(has_truth_, true)) publish_status();  // observers know the radio before the first step
+  if (!std::exchange(has_truth_, true))
+    publish_status();  // so that observers know the radio before the first step
   if (stamp > newest_ && open_) evaluate();
   const bool evaluated_already = stamp == newest_ && !open_;
   if (stamp > newest_) {
@@ -112,7 +113,7 @@ void RadioShell::take_truth(const msg::WorldTruth& sample) {
     next_step_ = step + 1;
   }
   newest_ = stamp;
-  if (sample.last()) publish_status();  // an observer writes the last counts down
+  if (sample.last()) publish_status();  // an observer records the final counts
   if (evaluated_already || sample.last()) return;
   open_ = sample;
   evaluate_if_complete();
@@ -221,8 +222,8 @@ void RadioShell::evaluate() {
   if (trace_) trace_->record(link.view());
   compute_ += std::chrono::steady_clock::now() - began;
   ++steps_;
-  // The answer goes out before the receptions: the world goes on while they are on their way. It goes out
-  // late, too: by it the world knows that a radio that it does not wait for is here again.
+  // The answer is sent before the receptions, so that the world continues while they are on their way. A late
+  // answer is sent too: it shows the world that a radio that it does not wait for is present again.
   msg::RadioStep step;
   step.stamp(open_->stamp());
   step.session(session_);

@@ -23,7 +23,7 @@ void Barrier::open(Wall now) {
   awaited_ = 0;
   for (Robot& robot : robots_) {
     robot.member = robot.standing == Standing::kJoined;
-    // The first step is opened by the answers to stamp 0: they count for it.
+    // The answers to stamp 0 open the first step, and count for it.
     robot.answered = first_step_ && robot.member;
     if (robot.member) ++members_;
     if (robot.member && !robot.answered) ++awaited_;

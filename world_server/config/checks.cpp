@@ -8,7 +8,7 @@ namespace caravan::world {
 namespace {
 
 constexpr double kRounding = 1e-6;
-// A world beyond these is a slip of a program, and takes minutes to check or more memory than there is.
+// A world beyond these limits is a mistake, and would take minutes to check or more memory than available.
 constexpr std::size_t kMostPoints = 1000;  // of an outline
 constexpr std::size_t kMostSolids = 10'000;
 constexpr double kMostCover = 20.0;  // arenas
@@ -105,7 +105,7 @@ void check_world(const runtime::TomlTable& world, const WorldConfig& config) {
     const Point corner = to_point(key == "start_low_m" ? config.start_low_m : config.start_high_m);
     if (!is_in_arena(corner, config)) world.fail(key, "lies outside " + arena_text(config));
   }
-  // Beyond half of the thinnest wall in one physics step, a body could be pushed out on its far side.
+  // A body that moves more than half of the thinnest wall in one physics step could come out on its far side.
   const double stride = config.robots.wheel_limit_mps * config.step_s / config.substeps;
   if (stride > 0.5 * kRingThickness) {
     world.fail("substeps", words("a robot would move ", stride, " m in a physics step; at most ",

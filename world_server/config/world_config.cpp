@@ -13,12 +13,12 @@ namespace {
 using runtime::kPlace_m;
 using runtime::TomlTable;
 
-// Of solid things: beyond them ODE computes with nothing or with infinity.
+// Sizes of solids: outside this range ODE computes with zeros or infinities.
 constexpr runtime::Range kSize_m{0.001, 100000.0};
 constexpr runtime::Range kHeight_m{0.001, 1000.0};
 
 void require(TomlTable& table, std::string_view key) {
-  if (!table.has(key)) table.fail(key, "is missing: write it into this table");
+  if (!table.has(key)) table.fail(key, "is missing: add it to this table");
 }
 
 Box read_box(TomlTable& table, const WorldConfig& config) {
@@ -57,12 +57,12 @@ Outline read_outline(TomlTable& table, const WorldConfig& config) {
   return outline;
 }
 
-/// Gives each robot as much room as the scenario writes down for `arena_for_robots` of them.
+/// Scales the arena so that each robot has as much room as `arena_for_robots` robots have in the scenario.
 void make_room(TomlTable& table, WorldConfig& config) {
   if (config.arena_for_robots == 0) return;
   for (const std::string_view solid : {"box", "cylinder", "outline"}) {
     if (table.has(solid))
-      table.fail("arena_for_robots", "does not go with obstacles, which would stay where they are");
+      table.fail("arena_for_robots", "cannot be combined with obstacles, which would not move with it");
   }
   const double factor = std::sqrt(static_cast<double>(config.robots.count) / config.arena_for_robots);
   for (auto* lengths : {&config.arena_m, &config.start_low_m, &config.start_high_m}) {

@@ -7,17 +7,17 @@
 namespace caravan::world {
 namespace {
 
-constexpr int kMaxContacts = 8;  // of one pair
+constexpr int kMaxContacts = 8;  // per pair
 constexpr double kSamePlace = 0.005;
 constexpr double kSameWay = 0.95;  // cosine
 
-// N, the most that one contact point of a hull holds along the surface. A fixed force, not a share of the
-// pressure: with the latter the solver meets contacts that neither press nor hold, and gives up on them.
+// N, the largest friction force of one contact point of a hull. A fixed force, not a fraction of the normal
+// force: with the latter the solver gets contacts that neither press nor hold, and fails on them.
 constexpr double kGrip = 2.0;
-// m/s per N. Hulls that lie flat against each other have more contacts than their forces are determined by;
-// with none of this the solver's matrix is singular.
+// m/s per N. Hulls that lie flat against each other have more contacts than are needed to determine their
+// forces; without this the solver's matrix is singular.
 constexpr double kSoftness = 1e-4;
-// Share of a depth that one physics step takes back.
+// Fraction of a penetration that one physics step corrects.
 constexpr double kCorrection = 0.2;
 
 double level(const dReal* a, const dReal* b) { return a[0] * b[0] + a[1] * b[1]; }
@@ -33,7 +33,7 @@ bool Bumps::add(dGeomID hull, dGeomID thing) {
 
 void Bumps::merge(dContactGeom contact) {
   const double flat = std::hypot(contact.normal[0], contact.normal[1]);
-  if (flat < 0.5) return;  // one hull on top of another: no case of an upright world
+  if (flat < 0.5) return;  // one hull on top of another: cannot happen in an upright world
   contact.normal[0] /= flat;
   contact.normal[1] /= flat;
   contact.normal[2] = 0.0;
@@ -54,7 +54,7 @@ void hold_apart(const OdeSession& ode, std::span<const dContactGeom> contacts) {
     contact.surface.mode = dContactSoftCFM | dContactSoftERP | dContactFDir1 | dContactMu2;
     contact.surface.soft_cfm = kSoftness;
     contact.surface.soft_erp = kCorrection;
-    contact.surface.mu = kGrip;  // along the floor; mu2, up and down: none
+    contact.surface.mu = kGrip;  // horizontal; mu2, vertical: none
     contact.fdir1[0] = -geom.normal[1];
     contact.fdir1[1] = geom.normal[0];
     const dJointID joint = dJointCreateContact(ode.world(), ode.contacts(), &contact);
@@ -63,8 +63,8 @@ void hold_apart(const OdeSession& ode, std::span<const dContactGeom> contacts) {
 }
 
 Spring calm_spring(double mass_kg, double substep_s) {
-  // The integrator bears (k h^2 + 2 c h) / m < 4 for all neighbours of a body together. Off its centre a body
-  // gives way as if it had half its mass, so that each of five neighbours may use 0.4.
+  // The integrator is stable for (k h^2 + 2 c h) / m < 4, summed over all neighbours of a body. Off its
+  // centre a body reacts as if it had half its mass, so each of five neighbours may use 0.4.
   return {.stiffness_n_per_m = 0.16 * mass_kg / (substep_s * substep_s),
           .damping_ns_per_m = 0.1 * mass_kg / substep_s};
 }

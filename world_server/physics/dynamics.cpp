@@ -36,7 +36,7 @@ struct Dynamics::Impl {
     }
   }
 
-  /// How far a robot may come in one step, twice over.
+  /// Twice the distance that a robot may move in one step.
   static double reach_margin(const WorldConfig& config) {
     return 2.0 * config.robots.wheel_limit_mps * config.step_s + 0.02;
   }
@@ -57,7 +57,7 @@ struct Dynamics::Impl {
     touches.erase(std::unique(touches.begin(), touches.end()), touches.end());
   }
 
-  /// Robots that could touch in this step, each pair once, sorted.
+  /// Finds the robots that could touch in this step, each pair once, sorted.
   void find_pairs() {
     pairs.clear();
     if (!robots_collide) return;
@@ -76,8 +76,8 @@ struct Dynamics::Impl {
     }
   }
 
-  /// With nothing to touch but the floor, one physics step is enough: it keeps the wheels on their axle and
-  /// the robot on its arc.
+  /// A robot that can touch only the floor needs one physics step: it keeps the wheels on their axle and the
+  /// robot on its arc.
   void step_loner(std::uint32_t robot) {
     bool free = is_upright(robots[robot]);
     statics.near(base_of(robot), hull_radius + margin, [&](dGeomID) { free = false; });
@@ -115,10 +115,11 @@ struct Dynamics::Impl {
     state.right_rad += seconds * state.right_rate;
     poses[robot] = pose_of(state, plan);
     const Pose& pose = poses[robot];
-    if (!std::isfinite(pose.x_m + pose.y_m + pose.yaw_rad)) throw PhysicsError{"it has no place any more"};
+    if (!std::isfinite(pose.x_m + pose.y_m + pose.yaw_rad))
+      throw PhysicsError{"its pose is no longer finite"};
   }
 
-  /// Does work on these robots; what ODE makes of it is told with their numbers.
+  /// Runs `work` for these robots; ODE's errors and warnings get their numbers.
   template <typename Work>
   void naming(std::initializer_list<std::uint32_t> who, const Work& work) {
     const auto named = [&](const std::string& what) {
@@ -138,9 +139,9 @@ struct Dynamics::Impl {
 
   [[nodiscard]] Point base_of(std::uint32_t robot) const { return {poses[robot].x_m, poses[robot].y_m}; }
 
-  /// One physics step of all that have company: two robots that touch nobody else are held apart by the
-  /// solver, in one problem. In a crowd springs do it: the solver would take all robots that hold each other
-  /// as one problem, whose time grows with the cube of their number.
+  /// One physics step of all robots in contact. The solver separates two robots that touch no other, as one
+  /// problem. In a crowd springs do it: the solver would treat all robots in contact as one problem, whose
+  /// time grows with the cube of their number.
   void step_company() {
     find_meetings();
     for (const Meeting& meeting : meetings) {
@@ -222,17 +223,17 @@ struct Dynamics::Impl {
   Stage couple;
   std::vector<RobotState> robots;
   std::vector<Pose> poses;
-  std::vector<bool> present;  // by robot: is it in the world?
+  std::vector<bool> present;  // by robot: whether it is in the world
   std::vector<Touch> touches;
   std::string complaint;  // of the last step
   Neighbours neighbours;
   std::vector<Point> places;
   std::vector<std::uint32_t> found;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  std::vector<bool> company;  // by robot: is it in one of the pairs?
+  std::vector<bool> company;  // by robot: whether it is in one of the pairs
   std::vector<Meeting> meetings;
   std::vector<std::uint32_t>
-      partners;  // by robot: how many others it touches, kStepped: was stepped with one
+      partners;  // by robot: number of others it touches; kStepped: already stepped with one
 };
 
 Dynamics::Dynamics(const WorldConfig& config, std::span<const Pose> starts)

@@ -13,8 +13,8 @@
 namespace caravan::world {
 namespace {
 
-// What ODE complained of in this thread since the last look. It says so to a handler, and its functions
-// return nothing that tells.
+// ODE's warnings in this thread since the last call. ODE reports them only to a handler, not by return
+// values.
 thread_local std::string complaint;
 
 std::string to_text(const char* format, va_list values) {
@@ -23,18 +23,18 @@ std::string to_text(const char* format, va_list values) {
   return std::string{"ODE: "} + text.data();
 }
 
-/// The solver has met a case that is not determined; ODE goes on with what it has.
+/// The solver's problem is not determined; ODE continues with an approximate result.
 void on_message(int /*number*/, const char* format, va_list values) {
   if (complaint.empty()) complaint = to_text(format, values);
 }
 
-/// A failed assertion or an error. When this returns ODE ends the process.
+/// A failed assertion or an error. If this returned, ODE would end the process.
 [[noreturn]] void on_failure(int /*number*/, const char* format, va_list values) {
   throw PhysicsError{to_text(format, values)};
 }
 
-/// ODE is opened once for a process and stays open: closing it would pull it away from other worlds. Its
-/// random numbers are those of the process; the solver that we use draws none.
+/// ODE is opened once per process and stays open: closing it would affect other worlds. Its random numbers
+/// are global to the process; the solver in use draws none.
 void open_ode() {
   static const bool opened = [] {
     const int result = dInitODE2(0);
@@ -57,7 +57,7 @@ OdeSession::OdeSession()
 }
 
 OdeSession::~OdeSession() {
-  if (is_broken_) return;  // ODE's jobs of the step are still listed: it would fail its assertions again
+  if (is_broken_) return;  // ODE's jobs of the step are still queued: it would fail its assertions again
   dJointGroupDestroy(contacts_);
   dWorldDestroy(world_);
   dThreadingFreeImplementation(threading_);

@@ -6,7 +6,7 @@
 namespace caravan::world {
 namespace {
 
-// Shares of the whole, from the Pioneer's own numbers (9.01 kg with wheels of 1.04 kg, caster 0.205 m and
+// Fractions of the whole, from the Pioneer's data (9.01 kg with wheels of 1.04 kg, caster 0.205 m and
 // centre of mass 0.06 m behind an axle that the body reaches 0.285 m behind).
 constexpr double kWheelShare = 1.04 / 9.0;
 constexpr double kCasterBehind = 0.205 / 0.285;
@@ -14,16 +14,16 @@ constexpr double kMassBehind = 0.06 / 0.285;
 constexpr double kCasterRadius = 0.0375 / 0.0975;
 constexpr double kHullClearance = 0.5;  // of the wheel radius
 
-// A disc has 0.5 m r^2 and would make 9 kg feel like 10; the reference motion (9 N give 1.0 m/s2) is that of
-// 9 kg alone, so a wheel's mass sits at its hub.
+// A disc has 0.5 m r^2 and would make 9 kg react like 10; the reference motion (9 N give 1.0 m/s2) is that of
+// 9 kg alone, so a wheel's mass is at its hub.
 constexpr double kWheelInertia = 0.02;
 
-// What the two motors may give together: 4.1 m/s2 for the whole robot. Below the 4.5 m/s2 at which braking
-// would lift the caster, and below what the tyres hold.
+// What the two motors can achieve together: 4.1 m/s2 for the whole robot. Below the 4.5 m/s2 at which braking
+// would lift the caster, and below the grip of the tyres.
 constexpr double kMotorAcceleration = 4.1;
 
 constexpr double kTyreFriction = 1.0;
-// m/s per N, sideways. Both tyres hold on the same line, so that only their sum is determined; without this
+// m/s per N, sideways. Both tyres act on the same line, so only their sum is determined; without this
 // the solver's matrix is singular.
 constexpr double kTyreCreep = 1e-5;
 

@@ -106,7 +106,7 @@ void load(const RobotState& state, const RobotBody& body, const BodyPlan& plan) 
 }
 
 void store(const RobotBody& body, RobotState& state) {
-  // A step solves for velocities at the places from which it started, so the axle is that of the old turn.
+  // A step solves for velocities at its start pose, so the axle is that of the previous orientation.
   const std::array<double, 3> axle = axle_of(state);
   state.left_rate = rate_about(axle, body.left, body.chassis);
   state.right_rate = rate_about(axle, body.right, body.chassis);

@@ -5,12 +5,12 @@ namespace caravan::world {
 namespace {
 
 constexpr double kGravity = 9.81;
-// Share of an error in the joints' positions that one physics step takes back. A wheel that moves along its
-// tangent leaves its circle a little in each step: what is not taken back widens the track.
+// Fraction of a position error of the joints that one physics step corrects. A wheel that moves along its
+// tangent leaves its circle a little in each step: the uncorrected part widens the track.
 constexpr double kJointCorrection = 0.8;
 // Keeps resting contacts closed, so that wheels neither bounce nor rattle.
 constexpr double kSurfaceLayer = 0.0005;
-// A body that got into another is pushed out no faster than this, so that nothing is shot away.
+// A body that penetrates another is pushed out no faster than this, so that nothing is thrown away.
 constexpr double kMaxPushOut = 1.0;
 constexpr int kFloorContacts = 4;
 
@@ -50,7 +50,7 @@ bool Stage::bump(std::size_t place, Point base) {
   return touched;
 }
 
-/// A hull that a knock has tipped rests on the floor with its edge.
+/// A hull that an impact has tipped rests with its edge on the floor.
 void Stage::collide_with_floor(std::size_t place) {
   dContactGeom geoms[kFloorContacts];
   const RobotBody& robot = robots_[place];

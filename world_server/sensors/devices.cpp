@@ -28,7 +28,7 @@ Devices::Devices(const runtime::RobotsTable& robots, std::uint64_t seed, std::ui
 std::array<double, kSonarCount> Devices::sonar(std::array<double, kSonarCount> ranges_m) {
   if (sonar_noise_ == 0.0) return ranges_m;
   for (double& range : ranges_m) {
-    // Drawn for every transducer, so that an echo more or less changes no other's noise.
+    // Drawn for every transducer, so that an additional echo changes no other noise.
     const double factor = std::max(0.0, 1.0 + sonar_noise_ * sonar_random_.normal());
     if (std::isfinite(range)) range *= factor;
   }

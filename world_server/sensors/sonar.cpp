@@ -11,7 +11,7 @@ namespace {
 constexpr double kRounding = 1e-6;
 constexpr double kNoEcho = std::numeric_limits<double>::infinity();
 
-/// Of the farthest transducer from the base.
+/// Distance of the farthest transducer from the base.
 double mount_radius() {
   double radius = 0.0;
   for (const robot_model::SonarMount& mount : robot_model::kSonarMounts)
@@ -84,7 +84,7 @@ void Sonars::add_sides(const Solid& solid, std::vector<Face>& faces, std::vector
   }
 }
 
-/// Of a robot's body, counter-clockwise.
+/// Corners of a robot's body, counter-clockwise.
 std::array<Point, 4> Sonars::corners_of(std::size_t robot) const {
   const Point base = bases_[robot];
   const Point heading = headings_[robot];
@@ -145,7 +145,7 @@ void Sonars::gather_body(std::size_t other, Point base) {
   if (is_close) around_.close.push_back(&body);
 }
 
-/// Leaves out what no transducer of the robot can see: from behind, or out of range.
+/// Skips faces that no transducer of the robot can detect: from behind, or out of range.
 void Sonars::add_if_visible(const Face& face, Point base) {
   const Point to = face.begin - base;
   const double before = cross(face.along, to);
@@ -156,7 +156,7 @@ void Sonars::add_if_visible(const Face& face, Point base) {
   around_.faces.push_back(face);
 }
 
-/// Keeps what the cone of a transducer may meet: facing it, in range, and not wholly to one side.
+/// Keeps what the cone of a transducer may hit: facing it, in range, and not wholly to one side.
 void Sonars::narrow(Point from, Point axis) {
   const Point left = turned(axis, left_edge_);
   const Point right = turned(axis, {left_edge_.x, -left_edge_.y});

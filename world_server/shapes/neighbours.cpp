@@ -26,7 +26,7 @@ void Neighbours::near(Point place, std::vector<std::uint32_t>& found) const {
   found.clear();
   const auto [row, column] = cell_of(place);
   for (std::int64_t y = row - 1; y <= row + 1; ++y) {
-    // The three cells of a row lie side by side in the sorted list.
+    // The three cells of a row are adjacent in the sorted list.
     auto at =
         std::lower_bound(cells_.begin(), cells_.end(), std::pair{Cell{y, column - 1}, std::uint32_t{0}});
     for (; at != cells_.end() && at->first <= Cell{y, column + 1}; ++at) {

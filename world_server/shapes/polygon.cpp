@@ -11,7 +11,7 @@ Point next_of(std::span<const Point> polygon, std::size_t i) { return polygon[(i
 
 constexpr double kTipThickness = 0.03;
 
-/// Do the closed segments ab and cd share a point?
+/// Whether the closed segments ab and cd share a point.
 bool meet(Point a, Point b, Point c, Point d) {
   const double abc = cross(b - a, c - a);
   const double abd = cross(b - a, d - a);
@@ -25,8 +25,8 @@ bool meet(Point a, Point b, Point c, Point d) {
          distance_to_segment(c, a, b) == 0.0 || distance_to_segment(d, a, b) == 0.0;
 }
 
-/// How much a box of this thickness is cut short at a corner between the directions `in` and `out` of its
-/// edges (unit).
+/// The length by which a box of this thickness is shortened at a corner between the directions `in` and `out`
+/// of its edges (unit).
 double cut_at(Point in, Point out, double thickness) {
   const bool convex = cross(in, out) > 0.0;
   const double back = -dot(in, out);  // cosine of the corner's inner angle

@@ -10,8 +10,8 @@ namespace {
 constexpr double kSmallestCell = 1.0;
 constexpr double kMostCells = 1000.0;  // along one side of the arena
 
-/// Which of `count` cells holds what lies `from_low` cells from the first one's edge; the first or last one
-/// when it lies outside.
+/// Index of the cell, out of `count`, that is `from_low` cells from the first one's edge; the first or last
+/// one if it is outside.
 std::size_t cell_at(double from_low, std::size_t count) {
   const double cell = std::floor(from_low);
   return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(count - 1)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What arrives at the world: commands, the radio's answers, credit.
+// Samples that arrive at the world: commands, the radio's answers, credit.
 #include <spdlog/spdlog.h>
 
 #include "idl/stamp.hpp"
@@ -13,7 +13,7 @@ using runtime::Tenure;
 
 void WorldShell::on_command(std::uint32_t robot, const msg::RobotCommand& sample, const Sender& sender) {
   const std::lock_guard lock{mutex_};
-  // Of another session: a claim to nothing. A robot begins anew with each.
+  // A sample of another session claims nothing. A robot resets with each session.
   if (sample.session() != session_) {
     ++tallies_.stale_samples;
     return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world's main thread: pacing, who is late, the end.
+// The world's main thread: pacing, late processes, the end.
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ int WorldShell::run() {
         return runtime::kFailed;
       }
       if (lockstep_.phase() == Phase::kWaiting && now - began > patience) {
-        spdlog::error("nobody to start with after {} s: {} missing", config_.experiment.start_timeout_s,
+        spdlog::error("cannot start: after {} s still missing: {}", config_.experiment.start_timeout_s,
                       fmt::join(missing(), ", "));
         return runtime::kCouldNotStart;
       }
@@ -33,7 +33,8 @@ int WorldShell::run() {
     }
     if (loop_.wait(deadline) == runtime::Loop::Woken::kStop) return runtime::kDone;
     if (loop_.was_suspended_for(lease_s_)) {
-      spdlog::error("suspended for longer than the lease: everybody has lost this world, start another");
+      spdlog::error(
+          "suspended for longer than the lease: all processes have dropped this world; start a new one");
       return runtime::kFailed;
     }
   }

@@ -60,7 +60,7 @@ WorldShell::WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
            }},
       outputs_{config_, session_, period_, bus_} {
   publish_sensors();
-  // Not under the lock: making a reader waits for DDS's own locks, whose holders may be waiting for ours in a
+  // Without the lock: creating a reader waits for DDS's own locks, whose holders may be waiting for ours in a
   // callback.
   for (std::uint32_t robot = 1; robot <= config_.robots.count; ++robot) {
     bus_.reader<msg::RobotCommandPubSubType>(

@@ -13,14 +13,14 @@
 namespace caravan::world {
 namespace {
 
-constexpr std::uint64_t kStream = 0x5741525453;  // of random numbers; any constant of our own
-constexpr int kTries = 300;                      // for a place in an area before the area grows
+constexpr std::uint64_t kStream = 0x5741525453;  // stream of random numbers; an arbitrary constant
+constexpr int kTries = 300;                      // per place in an area before the area grows
 constexpr double kGrowth = 1.0;                  // m on each side
 constexpr double kLattice = 0.1;
-constexpr double kMostSteps = 5000.0;  // of the lattice along the arena: a larger one has wider steps
-constexpr double kClearance = 0.05;    // m between a body, however turned, and anything solid
+constexpr double kMostSteps = 5000.0;  // of the lattice along the arena: a larger arena has wider steps
+constexpr double kClearance = 0.05;    // m between a body in any orientation and anything solid
 
-/// Free ground, and the robots that stand on it so far.
+/// Free ground, and the robots placed on it so far.
 class Ground {
  public:
   explicit Ground(const WorldConfig& config)
@@ -47,7 +47,7 @@ class Ground {
   }
   void take(Point place) { taken_.emplace(cell_of(place), place); }
 
-  /// A free place somewhere on the lattice, from the lower left on.
+  /// The first free place on the lattice, searched from the lower left.
   [[nodiscard]] std::optional<Point> search() const {
     const double step = std::max(kLattice, std::max(high_.x - low_.x, high_.y - low_.y) / kMostSteps);
     const auto across = [step](double from, int steps) { return from + steps * step; };
@@ -75,7 +75,7 @@ class Ground {
 
   double spacing_;
   double reach_;
-  Point low_;  // of the places whose surroundings lie within the walls
+  Point low_;  // of the places whose surroundings are within the walls
   Point high_;
   std::vector<Solid> solids_;
   std::multimap<Cell, Point> taken_;
@@ -106,8 +106,8 @@ std::vector<Pose> choose_starts(const WorldConfig& config) {
     if (!place) place = ground.search();
     if (!place) {
       throw runtime::StartError{"robots.count: the arena is full with " + std::to_string(starts.size()) +
-                                " robots, " + std::to_string(config.robots.count) +
-                                " are wanted: enlarge world.arena_m or take fewer"};
+                                " robots; " + std::to_string(config.robots.count) +
+                                " are requested: enlarge world.arena_m or use fewer"};
     }
     ground.take(*place);
     starts.push_back({place->x, place->y, random.uniform(-std::numbers::pi, std::numbers::pi)});

@@ -72,7 +72,7 @@ TEST(PhysicsError, OfAWorldThatIsJustMadeSaysThatItsBodyIsRefused) {
     const World world{config};
     ADD_FAILURE() << "made";
   } catch (const runtime::StartError& error) {
-    EXPECT_THAT(error.what(), AllOf(StartsWith("robots: the physics refuses such a body"), HasSubstr("ODE")));
+    EXPECT_THAT(error.what(), AllOf(StartsWith("robots: the physics refuses this body"), HasSubstr("ODE")));
   }
 }
 
