@@ -6,13 +6,13 @@
 
 namespace caravan::deploy {
 
-/// Reads every table as the processes read them.
+/// Reads every table in the same way as the processes.
 /// @throws runtime::StartError `file:line: key: reason`
-/// @return what is known of a run of it; the engine is left empty
+/// @return the facts of a run of it; the engine is left empty
 [[nodiscard]] experiment::RunFacts check_tables(const runtime::TomlDocument& scenario);
 
-/// The same, and builds the world once: what any process would refuse, a start area too full for the robots
-/// too, is refused here, before anything is started.
+/// Like check_tables(), and builds the world once: everything that any process would refuse, including a
+/// start area too full for the robots, is refused here, before anything starts.
 /// @throws runtime::StartError
 [[nodiscard]] experiment::RunFacts check_scenario(const runtime::TomlDocument& scenario);
 

@@ -19,7 +19,7 @@ struct CheckCommand {
 
 struct RunCommand {
   std::filesystem::path scenario;
-  bool embedded = false;  ///< which engine
+  bool embedded = false;  ///< engine embedded instead of dds
   Overrides overrides;
   std::optional<std::uint32_t> domain;
   runtime::Transport transport = runtime::Transport::kSharedMemory;
@@ -27,7 +27,7 @@ struct RunCommand {
   std::optional<std::filesystem::path> out;
   bool trace = false;
   bool quiet = false;
-  bool report = false;  ///< draw one at the end
+  bool report = false;  ///< draws a report at the end
 };
 
 struct ReportCommand {
@@ -44,12 +44,12 @@ struct SweepCommand {
   std::filesystem::path scenario;
   std::string engine = "embedded";
   std::string seeds = "1-10";               ///< a list of numbers
-  std::string modes = "none,partial,full";  ///< as read_modes() takes it
-  Overrides overrides;                      ///< of every run; neither mode nor seed
-  std::size_t jobs = 1;                     ///< without the option: one for each processor
+  std::string modes = "none,partial,full";  ///< input of read_modes()
+  Overrides overrides;                      ///< for every run; neither mode nor seed
+  std::size_t jobs = 1;                     ///< without the option: one per processor
   std::filesystem::path out;
   std::optional<std::size_t> task;
-  bool count = false;  ///< only say how many runs there are
+  bool count = false;  ///< only print the number of runs
   bool summarise = false;
   bool retry_failed = false;
   bool quiet = false;
@@ -58,7 +58,7 @@ struct SweepCommand {
 struct CtlCommand {
   std::uint32_t domain = 0;
   runtime::Transport transport = runtime::Transport::kSharedMemory;
-  std::vector<std::string> words;  ///< as run_ctl() takes them
+  std::vector<std::string> words;  ///< input of run_ctl()
 };
 
 struct DoctorCommand {
@@ -78,7 +78,8 @@ struct DeployCommand {
   bool quiet = false;
 };
 
-/// Nothing is left to do: help or version was shown, or the command line was wrong and it was said why.
+/// Nothing is left to do: help or version was printed, or the command line was wrong and the error was
+/// printed.
 struct Exit {
   int code = 0;
 };
@@ -86,7 +87,7 @@ struct Exit {
 using Command = std::variant<CheckCommand, RunCommand, DiffCommand, SweepCommand, ReportCommand, CtlCommand,
                              DeployCommand, DoctorCommand, Exit>;
 
-/// What the command line of `caravan` asks for. Errors are one line on standard error and exit code 2.
+/// Reads the command line of `caravan`. An error is one line on standard error and exit code 2.
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);
 
 }  // namespace caravan::deploy

@@ -6,7 +6,7 @@
 
 namespace caravan::deploy {
 
-/// The runs that the command asks for, the scenario of each checked.
+/// The runs that the command requests, with each scenario checked.
 ///
 /// @throws runtime::StartError for a bad scenario, --seeds or --modes
 [[nodiscard]] experiment::SweepPlan plan_sweep(const SweepCommand& command);

@@ -13,29 +13,29 @@
 
 namespace caravan::deploy {
 
-/// What a request led to.
+/// The result of a request.
 struct ControlAnswer {
   enum class Kind : std::uint8_t { kDone, kScheduled, kRefused, kNone };
   Kind kind = Kind::kNone;
-  std::uint64_t step = 0;  ///< from which on it takes effect
-  std::string reason;      ///< why it was refused, or that nobody answered
+  std::uint64_t step = 0;  ///< from which it takes effect
+  std::string reason;      ///< why it was refused, or that there was no answer
 
   [[nodiscard]] bool is_good() const { return kind == Kind::kDone || kind == Kind::kScheduled; }
 };
 
-/// Asks the world and the radio for something and waits for their answer.
+/// Sends requests to the world and the radio and waits for their answers.
 ///
-/// A request is sent again every half second with the same number until it is answered, so neither a process
-/// that is only just starting nor a late match of the topics loses it. One request at a time.
+/// A request is repeated every half second with the same number until it is answered, so that neither a
+/// process that is just starting nor a late match of the topics loses it. One request at a time.
 class Requester {
  public:
-  /// Makes its topics on `bus`, which must be closed before this goes.
+  /// Creates its topics on `bus`, which must be closed before this object is destroyed.
   void join(runtime::Bus& bus);
 
   /// @param request   its requester and id are set here
   /// @param patience  wall time
-  /// @return kScheduled when it asks for a later step or waits at the radio for the next truth, and when it
-  /// was taken but its step did not come within `patience`
+  /// @return kScheduled if it is for a later step or waits at the radio for the next truth, and if it was
+  /// accepted but its step did not begin within `patience`
   [[nodiscard]] ControlAnswer ask(caravan_interfaces::msg::ControlRequest request,
                                   std::chrono::milliseconds patience);
 

@@ -9,15 +9,15 @@
 
 namespace caravan::deploy {
 
-/// `caravan ctl`: asks one thing of the world or radio in a DDS domain, and prints what became of it.
+/// `caravan ctl`: sends one request to the world or radio in a DDS domain, and prints the result.
 ///
-/// @param words  as in control_forms(); `status` prints how the world is
+/// @param words  as in control_forms(); `status` prints the state of the world
 /// @return the exit code: 0 done or scheduled, 1 refused or not answered
-/// @throws runtime::StartError when the words are no request
+/// @throws runtime::StartError when the words are not a request
 [[nodiscard]] int run_ctl(std::uint32_t domain, runtime::Transport transport,
                           const std::vector<std::string>& words);
 
-/// The forms, one a line, for --help.
+/// The forms, one per line, for --help.
 [[nodiscard]] std::string ctl_help();
 
 }  // namespace caravan::deploy

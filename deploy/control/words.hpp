@@ -13,12 +13,12 @@
 
 namespace caravan::deploy {
 
-/// Something that was written wrong: one line that says what.
+/// A syntax error: one line that describes it.
 struct WordsError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The words of one line, taken from left to right.
+/// The words of one line, read from left to right.
 class Words {
  public:
   explicit Words(std::vector<std::string> words) : words_{std::move(words)} {}
@@ -28,7 +28,7 @@ class Words {
   [[nodiscard]] std::string peek() const { return is_empty() ? "" : words_[next_]; }
   /// Takes the next word if it is `word`.
   bool take_if(std::string_view word);
-  /// These take the next word. @throws WordsError when there is none or it is not of the kind; `what` names
+  /// These take the next word. @throws WordsError when there is none or it is of the wrong kind; `what` names
   /// it
   std::string word(const std::string& what);
   double number(const std::string& what);
@@ -47,16 +47,16 @@ class Words {
 /// Splits at spaces; text between double quotes is one word.
 [[nodiscard]] std::vector<std::string> split(const std::string& line);
 
-/// One thing that may be asked of a running emulation.
+/// One request to a running emulation.
 struct ControlForm {
   std::string_view form;  ///< `teleport ROBOT X Y [YAW]`
   std::string_view meaning;
 };
-/// All of them, as `caravan ctl` and scripts write them. Each may end in `at STEP`.
+/// All requests, as written for `caravan ctl` and in scripts. Each may end in `at STEP`.
 [[nodiscard]] std::span<const ControlForm> control_forms();
 
-/// The request that the words stand for; its requester, id and session are the caller's to set.
-/// @return none when the first word belongs to no form
+/// Parses a request; the caller sets its requester, id and session.
+/// @return none if the first word belongs to no form
 /// @throws WordsError
 [[nodiscard]] std::optional<caravan_interfaces::msg::ControlRequest> read_control(Words words);
 

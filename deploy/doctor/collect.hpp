@@ -8,7 +8,7 @@
 
 namespace caravan::deploy {
 
-/// Looks at this host, as the present user may.
+/// Collects the facts of this host that the present user may read.
 /// @throws runtime::StartError when the transport is a profile that cannot be read
 [[nodiscard]] HostFacts look_at_host(std::uint32_t robots, std::uint32_t domain,
                                      const runtime::Transport& transport);

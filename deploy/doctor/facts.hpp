@@ -9,7 +9,7 @@
 
 namespace caravan::deploy {
 
-/// What was seen of a host, and what is wanted of it.
+/// The facts of a host, and the run that is wanted on it.
 struct HostFacts {
   // wanted
   std::uint32_t robots = 15;
@@ -17,9 +17,9 @@ struct HostFacts {
   runtime::Reach reach = {};  ///< of the transport
 
   // programs
-  std::vector<std::string> missing_programs;  ///< of those that belong beside `caravan`
+  std::vector<std::string> missing_programs;  ///< programs missing beside `caravan`
   std::string dds_built;                      ///< version that the program was built with
-  std::string dds_loaded;                     ///< version that it runs with; empty: not known
+  std::string dds_loaded;                     ///< version that it runs with; empty: unknown
 
   // shared memory: /dev/shm
   bool shared_memory_writable = true;
@@ -28,9 +28,9 @@ struct HostFacts {
   std::uint64_t left_bytes = 0;
 
   // ports
-  bool domain_in_use = false;  ///< somebody alive has DDS ports of the domain in shared memory
+  bool domain_in_use = false;  ///< a running process has DDS ports of the domain in shared memory
   std::vector<std::uint16_t> udp_ports_in_use;  ///< of the whole host, sorted
-  std::uint16_t ephemeral_first = 0;            ///< ports that the kernel gives to anybody who asks for none
+  std::uint16_t ephemeral_first = 0;            ///< ports that the kernel assigns by itself
   std::uint16_t ephemeral_last = 0;
   std::vector<std::string> addresses;  ///< of the host's interfaces
 
@@ -38,10 +38,10 @@ struct HostFacts {
   std::int64_t clock_s = 0;  ///< since 1970
   bool clock_synchronised = true;
 
-  // limits; of this user, here
+  // limits of this user
   std::uint64_t open_files = 0;
   std::uint64_t threads = 0;
-  std::uint64_t socket_receive_bytes = 0;  ///< the most that a socket may ask for
+  std::uint64_t socket_receive_bytes = 0;  ///< the most that a socket may request
   std::uint64_t socket_send_bytes = 0;
 };
 

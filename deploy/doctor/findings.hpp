@@ -12,21 +12,21 @@ namespace caravan::deploy {
 struct Finding {
   enum class Severity : std::uint8_t {
     kGood,
-    kWarning,  ///< works, but something will be worse for it
-    kProblem   ///< a run as it is wanted will not work
+    kWarning,  ///< a run works, but worse
+    kProblem   ///< the wanted run will not work
   };
   Severity severity = Severity::kGood;
   std::string subject;
   std::string seen;
-  std::string advice;  ///< what to do; empty when it is good
+  std::string advice;  ///< what to do; empty if good
 };
 
 /// One finding for each subject, in the order of the facts.
 [[nodiscard]] std::vector<Finding> examine(const HostFacts& facts);
 
-/// What one process keeps in /dev/shm, for room for a whole run: measured 0.63 MB.
+/// Space that one process uses in /dev/shm; measured 0.63 MB.
 inline constexpr std::uint64_t kSharedMemoryOfAProcess = 1 << 20;
-/// Of the project's DDS profiles.
+/// Socket buffer size in the project's DDS profiles.
 inline constexpr std::uint64_t kSocketBytes = 1 << 20;
 
 }  // namespace caravan::deploy

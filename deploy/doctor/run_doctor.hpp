@@ -7,15 +7,15 @@
 
 namespace caravan::deploy {
 
-/// `caravan doctor`: is this host fit for a run?
+/// `caravan doctor`: checks whether this host is ready for a run.
 struct DoctorRequest {
   std::uint32_t robots = 15;
   std::uint32_t domain = 0;
   runtime::Transport transport = {};
-  bool clean = false;  ///< remove what dead processes left in shared memory, before looking
+  bool clean = false;  ///< first removes what dead processes left in shared memory
 };
 
-/// Prints what it finds and what to do about it. @return 0 nothing stands in the way, 1 something does
+/// Prints its findings with advice. @return 0: no problem, 1: a problem
 /// @throws runtime::StartError when the transport is a profile that cannot be read
 [[nodiscard]] int run_doctor(const DoctorRequest& request);
 

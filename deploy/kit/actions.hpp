@@ -14,22 +14,22 @@
 
 namespace caravan::deploy {
 
-/// Something done to processes.
+/// An action on processes.
 struct ProcessAction {
   enum class Kind : std::uint8_t { kStart, kKill, kStop, kSuspend, kContinue, kRestart };
   Kind kind = Kind::kStart;
   std::vector<std::string> names;  ///< world, radio, robot 3
 };
-/// Lets a world begin that waits for this observer.
+/// Starts a world that waits for this observer.
 struct Go {};
-/// Holds the world before a step.
+/// Pauses the world before a step.
 struct HoldAt {
   std::uint64_t step = 0;
 };
-/// Lets a paused world take single steps until a condition holds.
+/// Single-steps a paused world until a condition holds.
 struct StepUntil {
   Condition condition;
-  std::uint64_t most = 0;  ///< steps
+  std::uint64_t most = 0;  ///< greatest number of steps
 };
 using DeployAction =
     std::variant<ProcessAction, Go, HoldAt, StepUntil, caravan_interfaces::msg::ControlRequest>;
@@ -41,7 +41,7 @@ struct ActionForm {
 /// The table of actions; the forms of control_forms() belong to it too.
 [[nodiscard]] std::span<const ActionForm> action_forms();
 
-/// @param robots  how many there are
+/// @param robots  number of robots
 /// @throws WordsError
 [[nodiscard]] DeployAction read_action(const std::string& line, std::uint32_t robots);
 

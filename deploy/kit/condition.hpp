@@ -11,22 +11,22 @@
 
 namespace caravan::deploy {
 
-/// Something that holds or does not hold at a moment: `gone has "robot 2" and members is 3`.
+/// A condition on the state at one moment: `gone has "robot 2" and members is 3`.
 ///
 /// Each part is a quantity, a comparison (is, is not, <, <=, >, >=, has, lacks) and a value; parts are joined
-/// by `and`. What is not known yet fulfils nothing.
+/// by `and`. A quantity without a value yet fulfils no comparison.
 class Condition {
  public:
   /// @throws WordsError
   explicit Condition(const std::string& text);
-  /// A condition in C++; `text` says in words what it is.
+  /// A condition in C++; `text` describes it.
   Condition(std::string text, std::function<bool(const Seen&)> holds);
 
   [[nodiscard]] bool holds(const Seen& seen) const;
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Whether a part of it is about this, as in `sends`.
+  /// Whether a part uses `quantity`, such as `sends`.
   [[nodiscard]] bool asks_for(std::string_view quantity) const;
-  /// The present values of the quantities in it.
+  /// The current values of its quantities.
   [[nodiscard]] std::string values(const Seen& seen) const;
 
  private:

@@ -23,30 +23,30 @@ namespace caravan::deploy {
 
 struct DeploymentOptions {
   std::filesystem::path scenario;            ///< TOML file
-  std::string changes = {};                  ///< TOML that is laid over it: `experiment.items = 10`
-  std::filesystem::path folder = {};         ///< exists; the effective scenario and the logs go there
+  std::string changes = {};                  ///< TOML that overrides it: `experiment.items = 10`
+  std::filesystem::path folder = {};         ///< exists; receives the effective scenario and the logs
   std::filesystem::path binaries = {};       ///< of world_server etc.; empty: beside this program, or ../bin
   std::optional<std::uint32_t> domain = {};  ///< none: a free one
   runtime::Transport transport = runtime::Transport::kSharedMemory;  ///< of every process, and of the kit
-  double lease_s = 2.0;                  ///< of every process: silent for so long, it counts as gone
-  std::uint32_t agents_per_process = 1;  ///< robots that share a process live and die together
+  double lease_s = 2.0;                  ///< of every process: silent for this long, it counts as gone
+  std::uint32_t agents_per_process = 1;  ///< number of robots that share a process
   bool hold_start = false;               ///< the world begins only after the action `go`
-  std::map<std::string, std::vector<std::string>> arguments = {};  ///< further ones, by process name
+  std::map<std::string, std::vector<std::string>> arguments = {};  ///< additional ones, by process name
   std::function<bool()> is_interrupted = {};                       ///< ends every wait
 };
 
-/// What an action or an expectation led to.
+/// The result of an action or an expectation.
 struct ActionResult {
   bool good = false;
-  std::string text;     ///< why not: what was waited for, and what was seen
+  std::string text;     ///< on failure: the expected and the observed state
   double took_s = 0.0;  ///< wall time
 };
 
-/// World server, radio emulator and agents as real processes in a private DDS domain, under the hands of a
-/// test: start, kill, suspend, cut off, hold, teleport, and wait for what is expected to come of it.
+/// World server, radio emulator and agents as real processes in a private DDS domain, controlled by a test:
+/// start, kill, suspend, disconnect, hold, teleport, and wait for the expected outcome.
 ///
-/// Nothing runs before the first action `start`. Every wait has a deadline and says what it waited for. The
-/// end stops all processes and removes what they left in shared memory.
+/// Nothing runs before the first action `start`. Every wait has a deadline and names its condition. The
+/// destructor stops all processes and removes their files in shared memory.
 class Deployment {
  public:
   /// @throws runtime::StartError when the scenario cannot be read or no domain is free
@@ -55,14 +55,14 @@ class Deployment {
   Deployment(const Deployment&) = delete;
   Deployment& operator=(const Deployment&) = delete;
 
-  /// Does one action of the table, as in `kill robot 2` or `teleport 3 1.0 -2.0`.
-  /// @throws WordsError when it is written wrong
+  /// Executes one action of the table, such as `kill robot 2` or `teleport 3 1.0 -2.0`.
+  /// @throws WordsError on a syntax error
   ActionResult act(const std::string& line);
   /// Waits until `condition` holds.
-  /// @param name  what it means to the reader, for messages
+  /// @param name  description for messages
   ActionResult expect(const std::string& name, const Condition& condition, std::chrono::milliseconds within);
 
-  /// Lets a paused world take single steps until `condition` holds, `most` at most, and leaves it paused.
+  /// Single-steps a paused world until `condition` holds, at most `most` steps, and leaves it paused.
   ActionResult step_until(const Condition& condition, std::uint64_t most);
 
   [[nodiscard]] Seen seen();
@@ -76,7 +76,7 @@ class Deployment {
   [[nodiscard]] std::string scene(const Seen& seen) const;
 
   DeploymentOptions options_;
-  runtime::DomainLock lock_;  // before the first file: who finds the domain taken leaves nothing behind
+  runtime::DomainLock lock_;  // before the first file: if the domain is taken, nothing is left behind
   std::filesystem::path scenario_file_;
   std::uint32_t robots_ = 0;
   Processes processes_;

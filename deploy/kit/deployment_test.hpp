@@ -16,8 +16,8 @@ namespace caravan::deploy {
 
 /// GoogleTest fixture for tests of deployments; docs/deployment_tests.md is its tutorial.
 ///
-/// deploy() takes a DDS domain of the test's own and a folder for the logs, which is kept when the test
-/// fails. The actions and expectations are those of `caravan deploy`.
+/// deploy() takes a DDS domain for this test only and a folder for the logs, which is kept if the test fails.
+/// The actions and expectations are those of `caravan deploy`.
 class DeploymentTest : public ::testing::Test {
  protected:
   DeploymentTest() {
@@ -34,7 +34,7 @@ class DeploymentTest : public ::testing::Test {
     std::filesystem::remove_all(folder_, error);
   }
 
-  /// To be called before anything else. Called again, it ends the first deployment and makes another.
+  /// Call it before anything else. A second call ends the first deployment and creates another.
   Deployment& deploy(DeploymentOptions options) {
     deployment_.reset();
     if (options.folder.empty()) options.folder = folder_ / std::to_string(++deployments_);

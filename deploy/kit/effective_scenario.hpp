@@ -6,7 +6,7 @@
 
 namespace caravan::deploy {
 
-/// The text of a scenario with `changes`, itself TOML, laid over it: tables key by key, everything else
+/// The text of a scenario overridden by `changes`, itself TOML: tables key by key, everything else as a
 /// whole.
 /// @throws runtime::StartError when either cannot be read
 [[nodiscard]] std::string with_changes(const std::filesystem::path& scenario, const std::string& changes);

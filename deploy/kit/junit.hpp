@@ -16,7 +16,7 @@ struct Verdict {
   double took_s = 0.0;
 };
 
-/// A report in the XML form of JUnit, which continuous integration servers read.
+/// A report in JUnit XML, which continuous integration servers read.
 [[nodiscard]] std::string to_junit(const std::string& suite, const std::vector<Verdict>& verdicts);
 
 }  // namespace caravan::deploy

@@ -11,7 +11,7 @@
 
 namespace caravan::deploy {
 
-/// One program, started as a user starts it; killed when this goes out of scope.
+/// One program, started as by a user; killed when this object is destroyed.
 class Process {
  public:
   /// @param command_line  the first word is the program's path
@@ -23,10 +23,10 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   [[nodiscard]] pid_t pid() const { return pid_; }
-  /// The exit code (128 + n for signal n), none when it still runs after `patience`.
+  /// The exit code (128 + n for signal n), none if it still runs after `patience`.
   std::optional<int> wait(std::chrono::milliseconds patience);
   void signal(int number) const;
-  /// What it has printed so far.
+  /// Its output so far.
   [[nodiscard]] std::string output() const;
   /// Whether `text` appears in its output within `patience`.
   [[nodiscard]] bool prints(const std::string& text, std::chrono::milliseconds patience) const;
@@ -40,9 +40,9 @@ class Process {
   std::optional<int> exit_code_;
 };
 
-/// Memory that a process has of its own or has touched of what it shares, MB. None: it has ended.
+/// Private memory of a process and the shared pages it has touched, MB. None: it has ended.
 [[nodiscard]] std::optional<double> memory_mb(pid_t process);
-/// Its open file descriptors.
+/// Number of its open file descriptors.
 [[nodiscard]] std::optional<std::size_t> descriptors(pid_t process);
 
 /// The whole file as text; empty when there is none.

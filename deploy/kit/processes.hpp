@@ -21,35 +21,35 @@ namespace caravan::deploy {
 /// How the processes of a deployment are started.
 struct ProcessSetup {
   RunSetup run;
-  std::filesystem::path folder;  ///< of their logs
+  std::filesystem::path folder;  ///< for their logs
   std::uint32_t robots = 1;
-  std::uint32_t agents_per_process = 1;  ///< robots that share a process live and die together
-  std::string awaited;                   ///< observer without whom the world does not begin
-  std::map<std::string, std::vector<std::string>> arguments = {};  ///< further ones, by process name
+  std::uint32_t agents_per_process = 1;  ///< number of robots that share a process
+  std::string awaited;                   ///< observer without which the world does not begin
+  std::map<std::string, std::vector<std::string>> arguments = {};  ///< additional ones, by process name
 };
 
-/// The processes of one deployment. They are addressed by who lives in them: world, radio, robot 3.
+/// The processes of one deployment. They are addressed by their content: world, radio, robot 3.
 ///
-/// A process is called so too, or `robots 1-4`, and its log robot_3.log or robots_1-4.log; its second life
-/// writes robot_3.2.log. The end kills those that still run and removes what all of them left in shared
-/// memory; the deployment's own participant must be closed by then.
+/// A process has the same name, or `robots 1-4`; its log is robot_3.log or robots_1-4.log, after a restart
+/// robot_3.2.log. The destructor kills those that still run and removes all their files in shared memory; the
+/// deployment's own participant must be closed by then.
 class Processes {
  public:
-  /// @param on_end  told the name of each that an action has ended
+  /// @param on_end  called with the name of each process that an action has ended
   Processes(ProcessSetup setup, std::function<void(const std::string& name)> on_end);
-  /// Does it, waiting for the ends of those that are to end.
-  /// @return what went wrong; empty: nothing
+  /// Executes the action, and waits for the processes that it ends.
+  /// @return the error; empty on success
   std::string act(const ProcessAction& action);
 
   /// SIGTERM for all. Waits 2 s for their ends.
   void stop_all();
 
-  /// The state of each that was ever started, by the names of those who live there.
+  /// The state of each process that was ever started, by the names of its content.
   [[nodiscard]] std::map<std::string, SeenProcess> seen() const;
 
-  /// Remembers what the living have in shared memory, for those that are killed later.
+  /// Notes the shared-memory files of running processes, in case they are killed later.
   void note_shared_memory();
-  /// The same of those that had nothing there yet.
+  /// The same, only for processes that had no such files yet.
   void note_newcomers();
 
  private:

@@ -14,19 +14,19 @@
 
 namespace caravan::deploy {
 
-/// A number, a word, or a list of names; none: not known yet.
+/// A number, a word, or a list of names; none: no value yet.
 using Value = std::optional<std::variant<double, std::string, std::vector<std::string>>>;
 using Quantity = std::function<Value(const Seen&)>;
 
-/// One thing that an expectation may be about.
+/// One quantity of expectations.
 struct QuantityForm {
   std::string_view form;  ///< `exchanges ROBOT`
   std::string_view meaning;
 };
-/// The table of what expectations are about.
+/// The table of quantities.
 [[nodiscard]] std::span<const QuantityForm> quantity_forms();
 
-/// The quantity that is called `name`; takes what belongs to it from the words. @throws WordsError
+/// The quantity called `name`; takes its arguments from `words`. @throws WordsError
 [[nodiscard]] Quantity read_quantity(const std::string& name, Words& words);
 
 }  // namespace caravan::deploy

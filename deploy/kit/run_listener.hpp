@@ -20,15 +20,15 @@
 
 namespace caravan::deploy {
 
-/// The kit on the bus: keeps what truth, telemetry and statuses say as one value, and asks for control.
+/// The kit on the bus: combines truth, telemetry and statuses into one value, and sends control requests.
 ///
-/// It gives the world credit, so it misses no step. When the world awaits it (`--await kit`), the first
-/// credit is also what lets the world begin.
+/// It gives the world credit, so it misses no step. When the world waits for it (`--await kit`), the first
+/// credit also lets the world begin.
 class RunListener {
  public:
   static constexpr const char* kName = "kit";
 
-  /// @param facts       of every session
+  /// @param facts       facts of every session
   /// @param hold_start  gives no credit before go()
   RunListener(const runtime::BusConfig& bus, experiment::RunFacts facts, bool hold_start);
   ~RunListener();
@@ -36,15 +36,15 @@ class RunListener {
   RunListener& operator=(const RunListener&) = delete;
 
   [[nodiscard]] Seen seen() const;
-  /// Returns when something was heard since `seen()` was called last, after `patience` at the latest.
+  /// Returns when something has arrived since the last call of `seen()`, after `patience` at the latest.
   void wait_for_news(std::chrono::milliseconds patience);
-  /// The world's process has ended: what it said is over.
+  /// The world's process has ended: discards its state.
   void forget_world();
   void forget_radio();
   void go();
-  /// From now on also hears what the robots send by radio. Costs every robot a reader more.
+  /// From now on also receives the robots' radio frames. Costs one more reader per robot.
   void overhear();
-  /// Asks the newest world. Waits for one to be heard within `patience`, too.
+  /// Sends a request to the latest world. `patience` includes the wait for a world.
   [[nodiscard]] ControlAnswer ask(caravan_interfaces::msg::ControlRequest request,
                                   std::chrono::milliseconds patience);
 
@@ -54,9 +54,9 @@ class RunListener {
   void on_radio(const caravan_interfaces::msg::RadioStatus& status);
   void on_telemetry(std::uint32_t robot, const caravan_interfaces::msg::Telemetry& telemetry);
   void on_transmit(std::uint32_t robot, const caravan_interfaces::msg::RadioTransmit& transmit);
-  /// Adds to the tally what is whole by now.
+  /// Adds the complete steps to the tally.
   void count();
-  /// False: a sample of a session that is over. A newer one begins a new view of the robots.
+  /// False: a sample of a session that is over. A newer session resets the view of the robots.
   [[nodiscard]] bool follow_session(std::uint64_t session);
   void note(const std::string& event);
   void give_credit(const builtin_interfaces::msg::Time& stamp);
@@ -68,7 +68,7 @@ class RunListener {
   Seen seen_;
   StepBook book_;
   std::shared_ptr<Tally> tally_;
-  std::optional<caravan_interfaces::msg::WorldStatus> world_;  // the newest
+  std::optional<caravan_interfaces::msg::WorldStatus> world_;  // the latest
   std::optional<caravan_interfaces::msg::RadioStatus> radio_;
   bool gives_credit_;
   bool overhears_ = false;

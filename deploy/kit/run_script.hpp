@@ -15,7 +15,7 @@ namespace caravan::deploy {
 struct ScriptRequest {
   std::filesystem::path script;
   std::optional<std::filesystem::path> out;    ///< for the logs; none: deployments/<script>-<time>
-  std::optional<std::filesystem::path> junit;  ///< report file; none: junit.xml among the logs
+  std::optional<std::filesystem::path> junit;  ///< report file; none: junit.xml in the log folder
   std::optional<std::uint32_t> domain;         ///< none: a free one
   runtime::Transport transport = runtime::Transport::kSharedMemory;
   bool check_only = false;
@@ -24,12 +24,12 @@ struct ScriptRequest {
 
 /// Runs a script to its end or its first failure, and writes the report.
 ///
-/// @return 0 everything came as expected, 3 something did not, 130 interrupted
-/// @throws runtime::StartError when the script is wrong or nothing can be started, runtime::WriteError when
+/// @return 0: all expectations were met, 3: one was not, 130: interrupted
+/// @throws runtime::StartError when the script is invalid or nothing can be started, runtime::WriteError when
 ///         the report cannot be written
 [[nodiscard]] int run_script(const ScriptRequest& request, runtime::Loop& loop);
 
-/// The tables of actions and of what expectations are about, for --help.
+/// The tables of actions and quantities, for --help.
 [[nodiscard]] std::string script_help();
 
 }  // namespace caravan::deploy

@@ -12,10 +12,10 @@
 
 namespace caravan::deploy {
 
-/// One `[[step]]` of a script: hold the world, wait, act, expect, in this order; each part may be missing.
+/// One `[[step]]` of a script: pause the world, wait, act, expect, in this order; each part is optional.
 struct ScriptStep {
   std::string name;
-  std::optional<std::uint64_t> at_step;  ///< hold the world before this step
+  std::optional<std::uint64_t> at_step;  ///< pause the world before this step
   std::optional<Condition> when;         ///< wait for this before acting
   std::vector<std::string> actions;
   std::optional<Condition> expectation;
@@ -25,7 +25,7 @@ struct ScriptStep {
 struct Script {
   std::string name;
   std::filesystem::path scenario;
-  std::string changes;  ///< TOML that is laid over the scenario
+  std::string changes;  ///< TOML that overrides the scenario
   double lease_s = 2.0;
   bool hold_start = false;
   std::uint32_t agents_per_process = 1;

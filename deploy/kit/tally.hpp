@@ -17,8 +17,8 @@
 
 namespace caravan::deploy {
 
-/// What metrics.json and events.csv of the run would say if it ended now: one session, as of its newest whole
-/// step. For several threads at a time.
+/// The content of metrics.json and events.csv if the run ended now: one session, as of its latest complete
+/// step. Thread-safe.
 class Tally {
  public:
   using Number = std::variant<double, std::string>;
@@ -28,12 +28,12 @@ class Tally {
   void observe(const experiment::Observation& observation);
   void note(const experiment::RunEnd& end);
 
-  /// By its key in metrics.json, as in `exchanges.completed`, or by one of `per_robot` for robot > 0. none:
-  /// null, or no such key.
+  /// A value by its key in metrics.json, such as `exchanges.completed`, or in `per_robot` for robot > 0.
+  /// none: null, or no such key.
   [[nodiscard]] std::optional<Number> metric(const std::string& key, std::uint32_t robot) const;
-  /// So many events of this kind; robot 0: of all robots.
+  /// Number of events of this kind; robot 0: of all robots.
   [[nodiscard]] std::uint32_t events(const std::string& kind, std::uint32_t robot) const;
-  /// The detail of the robot's newest event of this kind.
+  /// The detail of the robot's latest event of this kind.
   [[nodiscard]] std::optional<std::string> detail(const std::string& kind, std::uint32_t robot) const;
 
  private:
@@ -45,13 +45,12 @@ class Tally {
   experiment::RunFacts facts_;
   experiment::RunEnd end_;
   experiment::Metrics metrics_;
-  mutable std::optional<experiment::Result>
-      result_;  // of metrics_, when it was asked for since the newest step
+  mutable std::optional<experiment::Result> result_;  // of metrics_, if computed since the latest step
   experiment::EventBook book_;
   std::map<std::pair<std::string, std::uint32_t>, Kind> events_;
 };
 
-/// The keys that metric() knows: of the run, and of each robot.
+/// The keys of metric(): of the run, and of each robot.
 struct MetricKeys {
   std::set<std::string> of_run;
   std::set<std::string> of_robot;

@@ -10,13 +10,13 @@
 
 namespace caravan::deploy {
 
-/// What all processes of a run have in common.
+/// The settings that all processes of a run share.
 struct RunSetup {
   std::filesystem::path binaries;  ///< folder of world_server and the others
-  std::filesystem::path scenario;  ///< as they read it
+  std::filesystem::path scenario;  ///< the scenario file that they read
   std::uint32_t domain = 0;
   runtime::Transport transport = runtime::Transport::kSharedMemory;
-  double lease_s = 5.0;  ///< silent for so long, a process counts as gone
+  double lease_s = 5.0;  ///< a process that is silent for this long counts as gone
 };
 
 /// Robots that share a process: first .. last.
@@ -30,10 +30,10 @@ struct RobotGroup {
 [[nodiscard]] std::string to_text(const RobotGroup& group);
 
 /// Command lines; the first word is the program's path. More options may follow.
-/// @param awaited  observer without whom the world does not begin
+/// @param awaited  observer without which the world does not begin
 [[nodiscard]] std::vector<std::string> world_command(const RunSetup& run, const std::string& awaited);
 [[nodiscard]] std::vector<std::string> radio_command(const RunSetup& run);
-/// @param robots  as to_text() has them
+/// @param robots  in the form of to_text()
 [[nodiscard]] std::vector<std::string> agent_command(const RunSetup& run, const std::string& robots);
 
 }  // namespace caravan::deploy

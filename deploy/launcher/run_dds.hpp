@@ -5,8 +5,8 @@
 
 namespace caravan::deploy {
 
-/// Runs the experiment with world server, radio emulator and every agent as a process of its own, and stays
-/// until it is over.
+/// Runs the experiment with world server, radio emulator and all agents as separate processes, and returns
+/// when it is over.
 ///
 /// @return the exit code of `caravan run`
 /// @throws runtime::StartError when the processes cannot be started

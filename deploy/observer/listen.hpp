@@ -17,7 +17,7 @@
 
 namespace caravan::deploy {
 
-/// What an observer does with what it hears of a run. Called on the bus's receiving thread.
+/// An observer's handlers of a run's samples. Called on the bus's receiving thread.
 struct Listener {
   std::function<void(const caravan_interfaces::msg::WorldTruth&)> truth;
   std::function<void(const caravan_interfaces::msg::WorldStatus&)> world;
@@ -26,21 +26,21 @@ struct Listener {
 };
 
 /// Reads everything that observers may read, of robots 1 .. `robots`, from the participants that hold the
-/// roles: the world, the radio, each robot's agent. Which session is running is for the world to say.
+/// roles: the world, the radio, each robot's agent. The world alone defines the running session.
 class RunReaders {
  public:
   enum class Worlds : std::uint8_t {
-    kOne,  ///< the first: when it has gone nobody else is believed
+    kOne,  ///< only the first: when it has gone no other is accepted
     kNext  ///< another one may follow it
   };
   RunReaders(std::uint32_t robots, Worlds worlds, Listener listener);
 
-  /// What the bus discovers; from any thread.
+  /// Passes on discoveries of the bus; from any thread.
   void discovered(const runtime::Discovery& news);
-  /// Makes the readers. `bus` must be closed before this goes.
+  /// Creates the readers. `bus` must be closed before this object is destroyed.
   void join(runtime::Bus& bus);
 
-  /// Participants that write what the world and the radio alone say to agents.
+  /// Participants that write topics to agents in place of the world or the radio.
   [[nodiscard]] std::vector<std::string> impostors() const;
 
  private:
@@ -51,10 +51,10 @@ class RunReaders {
   };
   struct Agent {
     runtime::Tenure tenure;
-    std::deque<Early> early;  // of a session that the world has not spoken of yet
+    std::deque<Early> early;  // of a session that the world has not announced yet
   };
 
-  /// Hands `sample` on if `sender` holds the role, else keeps it for when it does.
+  /// Passes `sample` on if `sender` holds the role, else keeps it for when it does.
   template <typename Sample>
   void on_world(const idl::Topic& topic, const Sample& sample, const runtime::Sender& sender,
                 const std::function<void(const Sample&)>& handle);
@@ -62,7 +62,7 @@ class RunReaders {
   void on_telemetry(std::uint32_t robot, const Telemetry& sample, const runtime::Sender& sender);
   void take_telemetry(std::uint32_t robot, const Telemetry& sample, const runtime::Sender& sender);
   void follow_session(std::uint64_t session);
-  /// Gives up the roles of those who have gone.
+  /// Releases the roles of participants that have gone.
   void read_news();
   void forget(const runtime::Discovery& gone);
   void hand_over(runtime::Tenure& tenure);

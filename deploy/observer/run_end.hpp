@@ -8,7 +8,7 @@
 
 namespace caravan::deploy {
 
-/// What the newest statuses say of a run; none: nothing was heard.
+/// The end of a run according to the latest statuses; none: no status was received.
 [[nodiscard]] experiment::RunEnd run_end(const std::optional<caravan_interfaces::msg::WorldStatus>& world,
                                          const std::optional<caravan_interfaces::msg::RadioStatus>& radio,
                                          double agents_compute_s);
