@@ -24,7 +24,7 @@ runtime::TomlDocument effective(const std::string& text, const SweepCommand& com
 
 experiment::SweepPlan plan_sweep(const SweepCommand& command) {
   const auto original = runtime::TomlDocument::load(command.scenario);
-  (void)check_tables(original);  // first, because only the original knows the lines
+  (void)check_tables(original);  // first, because only the original has the line numbers
   experiment::SweepPlan plan{.scenario = name_of(original),
                              .scenario_text = effective_text(original, command.overrides),
                              .engine = command.engine,

@@ -53,7 +53,7 @@ ControlAnswer Requester::ask(msg::ControlRequest request, std::chrono::milliseco
     answer_.reset();
   }
   for (;;) {
-    requests_.write(request);  // not under the lock: the answer may come on another thread meanwhile
+    requests_.write(request);  // without the lock: the answer may arrive on another thread meanwhile
     std::unique_lock lock{mutex_};
     const auto until = std::min(deadline, std::chrono::steady_clock::now() + kRepeatAfter);
     if (changed_.wait_until(lock, until, is_final)) return *answer_;

@@ -31,7 +31,7 @@ std::vector<std::string> missing_programs() {
   return missing;
 }
 
-/// From the name of the file that is mapped into this process: libfastdds.so.3.1.2.
+/// Version from the name of the library file mapped into this process: libfastdds.so.3.1.2.
 std::string loaded_dds() {
   const std::string mark = runtime::dds_library() + ".so.";
   std::ifstream maps{"/proc/self/maps"};
@@ -60,7 +60,7 @@ std::vector<std::uint16_t> udp_ports() {
   for (const char* table : {"/proc/net/udp", "/proc/net/udp6"}) {
     std::ifstream stream{table};
     std::string line;
-    std::getline(stream, line);  // the heading
+    std::getline(stream, line);  // skips the heading
     while (std::getline(stream, line)) {
       std::istringstream words{line};
       std::string slot, local;

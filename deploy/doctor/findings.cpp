@@ -8,11 +8,11 @@ namespace {
 
 using Severity = Finding::Severity;
 
-constexpr std::int64_t kDebian12_s = 1'686'355'200;  // 2023-06-10: no clock that runs this is earlier
+constexpr std::int64_t kDebian12_s = 1'686'355'200;  // 2023-06-10: a correct clock cannot be earlier
 constexpr std::uint64_t kOpenFilesAtLeast = 256;
 constexpr std::uint64_t kOpenFiles = 1024;
 constexpr std::uint64_t kThreadsOfAProcess = 12;
-constexpr std::uint64_t kProcessesBesideAgents = 4;  // world, radio, launcher, and one to spare
+constexpr std::uint64_t kProcessesBesideAgents = 4;  // world, radio, launcher, and one spare
 
 std::string megabytes(std::uint64_t bytes) { return std::to_string((bytes + (1 << 19)) >> 20) + " MB"; }
 
@@ -70,7 +70,7 @@ Finding left_over(const HostFacts& facts) {
           "caravan doctor --clean"};
 }
 
-/// DDS ports of the domain: 250 numbers from 7400 on for each.
+/// DDS ports of the domain: 250 numbers per domain, from 7400 on.
 std::pair<std::uint32_t, std::uint32_t> ports_of(std::uint32_t domain) {
   return {7400 + 250 * domain, 7400 + 250 * domain + 249};
 }
@@ -82,14 +82,14 @@ Finding domain(const HostFacts& facts) {
       std::count_if(facts.udp_ports_in_use.begin(), facts.udp_ports_in_use.end(),
                     [from = first, to = last](std::uint16_t port) { return port >= from && port <= to; });
   if (facts.domain_in_use || taken > 0)
-    return {Severity::kWarning, subject, "somebody is in it",
+    return {Severity::kWarning, subject, "in use",
             "choose another --domain unless these processes belong to yours"};
   const bool may_collide =
       facts.reach.network && first <= facts.ephemeral_last && last >= facts.ephemeral_first;
   if (may_collide)
     return {Severity::kWarning, subject,
             "its ports " + std::to_string(first) + " to " + std::to_string(last) +
-                " are also given to any program that asks for none",
+                " may also be assigned to other programs",
             "choose a --domain below " + std::to_string((facts.ephemeral_first - 7400) / 250) +
                 ", or narrow net.ipv4.ip_local_port_range"};
   return {Severity::kGood, subject, "free", ""};
@@ -128,9 +128,9 @@ Finding discovery(const HostFacts& facts) {
 
 Finding clock(const HostFacts& facts) {
   if (facts.clock_s < kDebian12_s)
-    return {Severity::kProblem, "clock", "it is before 2023", "set it: timedatectl, or an NTP service"};
+    return {Severity::kProblem, "clock", "set before 2023", "set it: timedatectl, or an NTP service"};
   if (!facts.clock_synchronised)
-    return {Severity::kWarning, "clock", "not synchronised: logs of several hosts will not fit together",
+    return {Severity::kWarning, "clock", "not synchronised: logs of several hosts cannot be compared",
             "enable systemd-timesyncd or chrony; runs themselves do not depend on it"};
   return {Severity::kGood, "clock", "synchronised", ""};
 }
@@ -159,7 +159,7 @@ Finding sockets(const HostFacts& facts) {
   const std::string seen = std::to_string(least / 1024) + " KiB";
   if (least >= kSocketBytes) return {Severity::kGood, subject, seen, ""};
   const std::string wanted = std::to_string(kSocketBytes);
-  return {Severity::kWarning, subject, seen + ": large fleets lose packets and wait for their repetition",
+  return {Severity::kWarning, subject, seen + ": large fleets lose packets and wait for retransmission",
           "sysctl -w net.core.rmem_max=" + wanted + " net.core.wmem_max=" + wanted};
 }
 

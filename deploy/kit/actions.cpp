@@ -55,7 +55,7 @@ std::vector<std::string> read_names(Words& words, std::uint32_t robots) {
     names = {"world", "radio"};
     add_robots({});
   } else {
-    throw WordsError{"\"" + who + "\" is no process: world, radio, robot N, robots or all"};
+    throw WordsError{"\"" + who + "\" is not a process: use world, radio, robot N, robots or all"};
   }
   return names;
 }
@@ -92,7 +92,7 @@ DeployAction read_action(const std::string& line, std::uint32_t robots) {
   }
   if (words.take_if("step_until")) return read_step_until(line, words);
   if (const auto request = read_control(words)) return *request;
-  throw WordsError{"no action is called \"" + words.peek() + "\""};
+  throw WordsError{"there is no action \"" + words.peek() + "\""};
 }
 
 }  // namespace caravan::deploy

@@ -55,14 +55,15 @@ Condition::Part Condition::read_part(Words& words) {
   const Quantity quantity = read_quantity(name, words);
   Part part{name, quantity, words.word("a comparison"), ""};
   if (std::find(kComparisons.begin(), kComparisons.end(), part.comparison) == kComparisons.end())
-    throw WordsError{"\"" + part.comparison + "\" is no comparison: is, is not, <, <=, >, >=, has, lacks"};
+    throw WordsError{"\"" + part.comparison +
+                     "\" is not a comparison: use is, is not, <, <=, >, >=, has, lacks"};
   if (part.comparison == "is" && words.take_if("not")) part.comparison = "is not";
   part.value = words.word("the value to compare with");
   double number = 0.0;
   const auto [end, error] = std::from_chars(part.value.data(), part.value.data() + part.value.size(), number);
   const bool is_number = error == std::errc{} && end == part.value.data() + part.value.size();
   if ((part.comparison[0] == '<' || part.comparison[0] == '>') && !is_number)
-    throw WordsError{"\"" + part.value + "\" is no number"};
+    throw WordsError{"\"" + part.value + "\" is not a number"};
   return part;
 }
 

@@ -23,7 +23,7 @@ using Kind = ProcessAction::Kind;
 constexpr auto kControlPatience = 15'000ms;
 constexpr auto kHoldPatience = 60'000ms;
 constexpr auto kStepPatience = 30'000ms;
-constexpr auto kLookPeriod = 10ms;  // how late the end of a process may be noticed
+constexpr auto kLookPeriod = 10ms;  // longest delay until the end of a process is noticed
 
 fs::path write_scenario(const DeploymentOptions& options) {
   fs::path file = options.folder / "scenario.toml";
@@ -34,7 +34,7 @@ fs::path write_scenario(const DeploymentOptions& options) {
   return file;
 }
 
-/// What the tally of a run needs to know of it.
+/// The facts of a run that its tally needs.
 experiment::RunFacts facts_of(const fs::path& scenario) {
   const auto document = runtime::TomlDocument::load(scenario);
   const runtime::ExperimentTable experiment = runtime::read_experiment(document);

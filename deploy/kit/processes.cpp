@@ -24,7 +24,7 @@ std::string file_name(std::string name) {
   return name;
 }
 
-/// The group that the robot is in; of no robot of the run: itself.
+/// The group of the robot; for an unknown robot: itself.
 RobotGroup group_of(std::uint32_t robot, const ProcessSetup& setup) {
   for (const RobotGroup& group : groups_of(setup.robots, setup.agents_per_process)) {
     if (robot >= group.first && robot <= group.last) return group;
@@ -110,7 +110,7 @@ std::string Processes::do_to(const std::string& name, Kind kind) {
   const bool runs = is_running(name);
   switch (kind) {
     case Kind::kStart:
-      if (runs) return name + " is running already";
+      if (runs) return name + " is already running";
       start(name);
       return "";
     case Kind::kKill:
@@ -135,7 +135,7 @@ std::string Processes::do_to(const std::string& name, Kind kind) {
 std::string Processes::act(const ProcessAction& action) {
   const std::vector<std::string> names = processes_of(action.names);
   if (action.kind == Kind::kKill || action.kind == Kind::kRestart) {
-    // All at once, then one after the other for their ends.
+    // Signals all at once, then waits for them one after the other.
     for (const std::string& name : names) {
       if (!is_running(name)) continue;
       memory_.note(lives_.at(name).process->pid());

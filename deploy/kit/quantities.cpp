@@ -29,7 +29,7 @@ Quantity plain(Member member) {
 
 Value yes_or_no(bool fact) { return std::string{fact ? "yes" : "no"}; }
 
-/// Of one robot; none when the world has not shown it yet.
+/// A quantity of one robot; none before the world has published it.
 template <typename Read>
 Quantity of_robot(Words& words, Read read) {
   return [robot = words.robot(), read](const Seen& seen) -> Value {
@@ -38,7 +38,7 @@ Quantity of_robot(Words& words, Read read) {
   };
 }
 
-/// Of what one robot says of itself; none before it has said anything.
+/// A quantity from a robot's report; none before its first report.
 template <typename Read>
 Quantity of_report(Words& words, Read read) {
   return of_robot(words,
@@ -76,7 +76,7 @@ Quantity read_exit(Words& words) {
   };
 }
 
-/// Of a process that runs.
+/// A quantity of a running process.
 template <typename Read>
 Quantity of_process(Words& words, Read read) {
   return [name = process_name(words), read](const Seen& seen) -> Value {
@@ -94,7 +94,7 @@ Quantity read_log(Words& words) {
   };
 }
 
-/// In the run's tally; none before a world was heard.
+/// A quantity from the run's tally; none before the first world.
 template <typename Read>
 Quantity of_tally(Read read) {
   return [read](const Seen& seen) -> Value { return seen.tally ? read(*seen.tally) : Value{}; };
@@ -110,7 +110,7 @@ Quantity read_metric(Words& words) {
   const std::string key = words.word("the key, as in metrics.json");
   const bool is_of_robot = metric_keys().of_robot.contains(key);
   if (!is_of_robot && !metric_keys().of_run.contains(key))
-    throw WordsError{"metrics.json has no \"" + key + "\", or it is not for expectations"};
+    throw WordsError{"metrics.json has no \"" + key + "\" for use in expectations"};
   const std::uint32_t robot = is_of_robot ? words.robot() : 0;
   return of_tally([key, robot](const Tally& tally) -> Value {
     const auto metric = tally.metric(key, robot);
@@ -122,7 +122,7 @@ Quantity read_metric(Words& words) {
 std::string event_kind(Words& words) {
   std::string kind = words.word("the event, as in events.csv");
   if (kind.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") != std::string::npos)
-    throw WordsError{"\"" + kind + "\" is no event: they are lower_snake_case"};
+    throw WordsError{"\"" + kind + "\" is not an event name: use lower_snake_case"};
   return kind;
 }
 
@@ -272,7 +272,7 @@ std::span<const QuantityForm> quantity_forms() {
 
 Quantity read_quantity(const std::string& name, Words& words) {
   const auto row = std::find_if(kRows.begin(), kRows.end(), [&](const Row& one) { return one.name == name; });
-  if (row == kRows.end()) throw WordsError{"nothing is called \"" + name + "\""};
+  if (row == kRows.end()) throw WordsError{"there is no quantity \"" + name + "\""};
   return row->read(words);
 }
 

@@ -19,7 +19,7 @@ using runtime::ParticipantId;
 
 namespace {
 
-constexpr std::uint64_t kCreditEvery = 32;  // steps; an eighth of what the world may run ahead
+constexpr std::uint64_t kCreditEvery = 32;  // steps; an eighth of the steps that the world may run ahead
 constexpr std::size_t kEventsKept = 40;
 
 template <std::size_t size>
@@ -256,7 +256,7 @@ ControlAnswer RunListener::ask(msg::ControlRequest request, std::chrono::millise
   {
     std::unique_lock lock{mutex_};
     if (!news_.wait_until(lock, deadline, [this] { return seen_.state != "absent"; }))
-      return {ControlAnswer::Kind::kNone, 0, "no world was heard within the time"};
+      return {ControlAnswer::Kind::kNone, 0, "no world appeared within the time"};
     request.session(seen_.session);
   }
   return requester_.ask(request, std::chrono::duration_cast<std::chrono::milliseconds>(

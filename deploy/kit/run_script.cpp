@@ -74,7 +74,7 @@ void print(const Verdict& verdict) {
 int run_script(const ScriptRequest& request, runtime::Loop& loop) {
   const Script script = load_script(request.script);
   if (request.check_only) {
-    std::printf("%s: good, %zu steps\n", request.script.c_str(), script.steps.size());
+    std::printf("%s: valid, %zu steps\n", request.script.c_str(), script.steps.size());
     return runtime::kDone;
   }
   const fs::path folder = make_folder(request);

@@ -31,7 +31,7 @@ Setting setting_of(const Script& script) {
   return setting;
 }
 
-/// Separated by semicolons outside of quotes.
+/// Splits at semicolons outside quotes.
 std::vector<std::string> split_actions(const std::string& text) {
   std::vector<std::string> actions(1);
   bool quoted = false;

@@ -10,7 +10,7 @@ namespace {
 using experiment::About;
 using experiment::MetricValue;
 
-/// As text, number or yes and no; none: null, or a list.
+/// Converts to text, number or yes and no; none: null, or a list.
 std::optional<Tally::Number> to_number(const MetricValue& value) {
   using Number = std::optional<Tally::Number>;
   return std::visit(pure::Overload{[](double number) { return Number{number}; },
@@ -22,8 +22,7 @@ std::optional<Tally::Number> to_number(const MetricValue& value) {
                     value);
 }
 
-/// Of the others, the test has written those of the scenario itself, and only the end of a run decides the
-/// rest.
+/// The others are excluded: those that repeat the scenario, and those that only the end of a run decides.
 MetricKeys make_keys() {
   MetricKeys keys;
   for (const experiment::Metric& metric : experiment::metrics_table()) {

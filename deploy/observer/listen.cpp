@@ -14,8 +14,8 @@ using runtime::Tenure;
 
 namespace {
 
-// What a world that starts before its predecessor is gone may say until that is noticed: as far as it runs
-// ahead of an observer, and its statuses.
+// Number of samples kept of a world that starts before its predecessor is gone, until that is noticed: as
+// many truths as it may run ahead of an observer, and its statuses.
 constexpr std::size_t kKeptOfWorld = idl::kMaxStepsAhead + 64;
 constexpr std::size_t kMostEarly = 64;
 constexpr std::size_t kMostImpostors = 32;

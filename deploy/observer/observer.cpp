@@ -10,7 +10,7 @@ namespace msg = caravan_interfaces::msg;
 
 namespace {
 
-constexpr std::size_t kWorthALook = 32;  // steps; an eighth of what the world may run ahead
+constexpr std::size_t kWorthALook = 32;  // steps; an eighth of the steps that the world may run ahead
 
 }  // namespace
 
@@ -37,7 +37,8 @@ Observer::Observer(const runtime::BusConfig& bus, const std::string& name, std::
                 .radio =
                     [this](const msg::RadioStatus& sample) {
                       const std::lock_guard lock{mutex_};
-                      // The radio has left after its last counts; who states its role now has none.
+                      // The radio has left after its final counts; another participant with its role has
+                      // none.
                       if (ended_ && news_.radio && idl::to_time(news_.radio->stamp()) >= *ended_) return;
                       news_.radio = sample;
                     },

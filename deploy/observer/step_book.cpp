@@ -71,7 +71,7 @@ void StepBook::add(const msg::WorldTruth& truth) {
   if (!follow_session(truth.session())) return;
   if (!truth.last()) members_ = truth.members();
   if (!steps_.empty() && idl::to_time(truth.stamp()) <= steps_.back().seen.stamp) {
-    steps_.back().seen.members = truth.members();  // the same step again, without whom it lost
+    steps_.back().seen.members = truth.members();  // the same step again, without lost members
   } else {
     steps_.push_back({to_observation(truth), truth.reported()});
   }

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The obstacles of the paper's world, as the scenario files hold them.
+"""The obstacles of the paper's world, as in the scenario files.
 
 The paper gives no coordinates. Its obstacles are reconstructed from published trajectories: the outlines below are
-the lines that no robot centre ever crossed, so the solid behind each lies CLEARANCE further in. Frame: x right, y up as
+the lines that no robot centre ever crossed, so the solid behind each is CLEARANCE further inside. Frame: x right, y up as
 in the paper's pictures, origin at the arena's centre, metres.
 
     paper_world.py            print the [[world.box]] and [[world.outline]] tables
@@ -16,7 +16,7 @@ import tomllib
 
 CLEARANCE = 0.25  # m, robot centre to solid
 
-# centre x, y, size x, y as never entered, degrees counter-clockwise
+# centre x, y, size x, y of the area never entered, degrees counter-clockwise
 BOXES = {
     "G": (-19.20, -13.90, 5.8, 5.8, -6.0),
     "F": (-6.61, -19.73, 6.0, 5.7, -6.0),
@@ -61,7 +61,7 @@ def edge_distance(point, a, b):
 
 
 def inset_checked(name, points):
-    """The inset is refused when an edge turned round, or a vertex came nearer to the old outline than it should."""
+    """Refuses the inset if an edge reversed its direction, or a vertex is nearer to the old outline than it should be."""
     result = inset(points, CLEARANCE)
     edges = list(zip(points, points[1:] + points[:1]))
     for i, (a, b) in enumerate(edges):

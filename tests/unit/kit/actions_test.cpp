@@ -44,15 +44,14 @@ TEST(Actions, HoldStepAndControl) {
 }
 
 TEST(Actions, SayWhatIsWrong) {
-  const std::vector<std::pair<std::string, std::string>> cases{
-      {"", "empty"},
-      {"kill", "is missing"},
-      {"kill everybody", "is no process"},
-      {"kill robot 5", "no robot 5"},
-      {"kill robot", "is missing"},
-      {"go home", "too many"},
-      {"hold_at 0", "step 0"},
-      {"explode", "no action is called \"explode\""}};
+  const std::vector<std::pair<std::string, std::string>> cases{{"", "empty"},
+                                                               {"kill", "is missing"},
+                                                               {"kill everybody", "is not a process"},
+                                                               {"kill robot 5", "no robot 5"},
+                                                               {"kill robot", "is missing"},
+                                                               {"go home", "too many"},
+                                                               {"hold_at 0", "step 0"},
+                                                               {"explode", "there is no action \"explode\""}};
   for (const auto& [line, reason] : cases) {
     try {
       (void)read_action(line, 4);

@@ -118,11 +118,11 @@ TEST(Condition, SaysWhatItSees) {
 TEST(Condition, RefusesWhatMakesNoSense) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "is missing"},
-      {"luck > 3", "nothing is called \"luck\""},
+      {"luck > 3", "there is no quantity \"luck\""},
       {"step", "a comparison"},
-      {"step about 3", "no comparison"},
+      {"step about 3", "not a comparison"},
       {"step >", "the value"},
-      {"step > many", "\"many\" is no number"},
+      {"step > many", "\"many\" is not a number"},
       {"mode is explore", "robot"},
       {"step > 3 or step < 1", "one word too many"},
       {"metric luck > 3", "\"luck\""},

@@ -77,7 +77,7 @@ when = "members is 4"
 TEST_F(ScriptFile, IsRefusedBeforeAnythingStarts) {
   EXPECT_THAT(error_of("[[step]]\ndo = \"kill robot 9\"\n"),
               HasSubstr("script.toml:3: step.do: there is no robot 9"));
-  EXPECT_THAT(error_of("[[step]]\nexpect = \"luck > 3\"\n"), HasSubstr("nothing is called \"luck\""));
+  EXPECT_THAT(error_of("[[step]]\nexpect = \"luck > 3\"\n"), HasSubstr("there is no quantity \"luck\""));
   EXPECT_THAT(error_of("[[step]]\nwait_s = 3\n"), HasSubstr("unknown key"));
   EXPECT_THAT(error_of("[[step]]\nat_s = 3.0\nat_step = 4\n"), HasSubstr("not both"));
   EXPECT_THAT(error_of("colour = 3\n[[step]]\n"), HasSubstr("colour: unknown key"));
