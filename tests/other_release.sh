@@ -2,7 +2,7 @@
 # shellcheck shell=bash
 # Sourced by tests/run.
 
-# What a Debian and its packages may take to come over the network.
+# Time limit for downloading a Debian and its packages.
 download_limit_s=900
 
 # skip_other_release REASON: for test_other_release.
@@ -12,12 +12,12 @@ skip_other_release() {
   skipped=$((skipped + 1))
 }
 
-# other_release_within SECONDS COMMAND...: the exit code is 137 when the time was not enough. Whatever COMMAND has started ends
+# other_release_within SECONDS COMMAND...: the exit code is 137 when the time was not enough. Everything that COMMAND has started ends
 # with it (deploy/chroot).
 other_release_within() { timeout --foreground --signal=KILL "$@"; }
 
-# test_other_release [END_S [FOLDER]]: on the Debian release that this machine does not have, in build/chroot (deploy/chroot), what
-# shows that the tree works there: tests/run --brief. Counts its tests. Counts one that is skipped where no chroot can be made,
+# test_other_release [END_S [FOLDER]]: runs tests/run --brief on the Debian release that this machine does not have, in build/chroot
+# (deploy/chroot), to show that the tree works there, and counts its tests. It counts one skipped test where no chroot can be set up,
 # when the mirror is too slow, or when it is not done END_S seconds after the script's start.
 test_other_release() {
   local release enter log total status=0 end_s=${1:-} left_s=0
@@ -31,11 +31,11 @@ test_other_release() {
     left_s=$((end_s - SECONDS))
     if [ $left_s -lt $download_limit_s ]; then download_limit_s=$((left_s > 1 ? left_s : 1)); fi
   fi
-  echo "Making ready Debian $release in ${2:-build/chroot/$release}"
+  echo "Preparing Debian $release in ${2:-build/chroot/$release}"
   other_release_within $download_limit_s "${enter[@]}" bash -ec '
     . cmake/set_up.sh
     install_packages
-    # Only the build gains by it, so it is no package of the project.
+    # It only speeds up the build, so it is not a package of the project.
     if [ -n "${CCACHE_DIR:-}" ] && ! command -v ccache; then apt-get install -q -y --no-install-recommends ccache; fi
   ' > "$log" 2>&1 || status=$?
   case $status in

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every C++ file is as clang-format 14 writes it with .clang-format. Prints each place that is not; exit code 1 when
-there is one, 77 (skipped) when the machine has another version, which would write some lines otherwise. `--fix` writes the files
+"""Checks that every C++ file is formatted by clang-format 14 with .clang-format. Prints each place that is not; exit code 1 when
+there is one, 77 (skipped) when the machine has another version, which would format some lines differently. `--fix` writes the files
 instead."""
 
 import shutil

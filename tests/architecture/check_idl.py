@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The files of idl/ are for any DDS vendor: Cyclone's compiler accepts each, and makes the type names of the table of topics.
+"""The files of idl/ are for any DDS vendor: Cyclone's compiler accepts each, and generates the type names of the table of topics.
 
 Exit code 77 (skipped) where idlc is not installed.
 """
@@ -14,7 +14,7 @@ import tempfile
 
 
 def check(root):
-    """What idlc has against the files, and the types of topics that none of them defines."""
+    """The errors of idlc for the files, and the types of topics that none of them defines."""
     found, types = [], set()
     files = sorted((root / "idl").glob("*.idl"))
     with tempfile.TemporaryDirectory() as folder:

@@ -1,19 +1,19 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Which folder may include what, and no cycles. Prints every breach; exit code 1 when there is one."""
+"""Checks which folder includes what, and that there are no cycles. Prints every breach; exit code 1 when there is one."""
 
 import pathlib
 import re
 import sys
 
-# What an include may be: a kind of outside header or a folder of the project.
+# The target of an include: a kind of outside header or a folder of the project.
 STD, POSIX, EIGEN, ODE, DDS = "std posix Eigen ode dds".split()
 ROBOT_TYPES, TRUTH_TYPES, GENERATED = "robot-types truth-types generated".split()
 TOML, JSON, LOG, CLI, GTEST = "toml++ json spdlog CLI11 gtest".split()
 CONFIG = ["runtime/config", "runtime/scenario", "runtime/pure"]
 PROCESS = [STD, POSIX, LOG, "runtime", "idl"]
 
-# Folder -> what its files may include beside their own folder. The longest matching folder decides.
+# Folder -> what its files may include besides their own folder. The longest matching folder decides.
 ALLOWED = {
     "runtime/pure": [STD],
     "runtime/config": [STD, TOML, "runtime/pure"],
@@ -59,7 +59,7 @@ ALLOWED = {
 }
 SHELLS = ("robot_agent/shell", "world_server/shell", "radio_emulator/shell", "hardware_bridge/shell")
 
-# A core is a function of values: nothing here may come from outside its arguments.
+# A core is a function of values: no input other than its arguments is allowed.
 CORES = ("robot_agent/core", "radio_emulator/medium", "hardware_bridge/core", "world_server/physics", "world_server/barrier", "world_server/control",
          "world_server/referee", "world_server/sensors", "world_server/shapes", "world_server/starts",
          "world_server/world.cpp", "world_server/world.hpp", "world_server/types.hpp", "runtime/pure")
@@ -68,7 +68,7 @@ NOT_IN_A_CORE = {"thread", "mutex", "condition_variable", "future", "atomic", "f
 NO_CLOCK = re.compile(r"_clock::now\b")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
-# The short names of the generated types; the generated headers themselves are for these alone.
+# The short names of the generated types; only these files may include the generated headers.
 NAMES_FOR_ROBOTS = re.compile(r"idl/(robot|clock)_types\.hpp")
 NAMES_OF_TRUTH = re.compile(r"idl/(world|control)_types\.hpp")
 GENERATED_HEADERS = re.compile(r"(robot|stamp|clock|world|control)(PubSubTypes)?\.h")
@@ -78,7 +78,7 @@ OUTSIDE = {"Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr
 
 
 def kind_of(bracket, name, top_folders):
-    """What an include is: a kind of outside header, or the path inside the project; None if unknown."""
+    """The target of an include: a kind of outside header, or the path inside the project; None if unknown."""
     first = name.split("/")[0]
     if bracket == '"':
         if NAMES_OF_TRUTH.fullmatch(name):

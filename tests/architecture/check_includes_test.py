@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The include check finds what it is there to find: each case is one forbidden line in a tree of its own."""
+"""The include check finds each breach: every case is one forbidden line in its own tree."""
 
 import pathlib
 import tempfile

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""docs/scenario.md has a row for each key that a reader takes from a scenario, and for no other."""
+"""docs/scenario.md has a row for each key that a reader reads from a scenario, and for no other."""
 
 import pathlib
 import re
@@ -21,7 +21,7 @@ def keys_of_readers(root):
 
 
 def keys_of_page(root):
-    """First column of each table of keys; of a solid's rows, whose first column is its table, the second."""
+    """First column of each table of keys; the second column for solids, whose first column is the table."""
     keys, is_of_keys = set(), False
     for line in (root / "docs/scenario.md").read_text(encoding="utf-8").splitlines():
         cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]]

@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""clang-tidy with .clang-tidy finds nothing. Prints what it finds; exit code 1 when that is something.
+"""Checks that clang-tidy with .clang-tidy finds nothing. Prints its findings; exit code 1 when there are any.
 
     check_tidy.py                  the source files that differ from HEAD
     check_tidy.py --since main     those that differ from a revision
     check_tidy.py --all            every source file
     check_tidy.py FILE...          these
 
-Headers are seen with the sources that include them. The build folder must have been built, for its generated types."""
+Headers are checked with the sources that include them. The build folder must have been built, for its generated types."""
 
 import argparse
 import concurrent.futures
@@ -28,7 +28,7 @@ def changed_since(revision):
 
 
 def chosen(arguments):
-    """The files asked for, of those that the build compiles."""
+    """The requested files, as far as the build compiles them."""
     database = json.loads((arguments.build / "compile_commands.json").read_text())
     compiled = {pathlib.Path(entry["file"]) for entry in database}
     wanted = set(sources.files_ending_in(".cpp"))
@@ -42,7 +42,7 @@ def chosen(arguments):
 def complaints_about(file, arguments):
     command = [arguments.tool, "--quiet", "-p", arguments.build, file]
     done = subprocess.run(command, check=False, capture_output=True, text=True)
-    # What it counts on standard error matters only when it could not run at all.
+    # Its output on standard error matters only when it could not run at all.
     return (done.stdout or done.stderr) if done.returncode else ""
 
 

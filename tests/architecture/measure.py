@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Prints how easily the tree changes: files that a new sensor, radio model, metric and scenario key touch, `const Config&` in
-the core, floors and arrows of the folders, the longest classes. Numbers to compare between two states of the tree; no gate.
+the core, layers and dependencies of the folders, the longest classes. Numbers to compare two states of the tree; no check.
 
-Files to touch are those that name an existing one of its kind today, tests apart.
+Files to touch are those that mention an existing example of the kind today, without tests.
 """
 
 import pathlib
@@ -13,7 +13,7 @@ from collections import defaultdict
 
 from check_includes import ALLOWED, INCLUDE, rule_for
 
-# What stands for its kind: a pattern that only this one has.
+# An example of each kind: a pattern that only this one has.
 EXEMPLARS = {
     "sensor (the compass)": r"compass",
     "radio model (loss by chance)": r"loss_probability|lose_by_chance",
@@ -42,7 +42,7 @@ def print_files_to_touch(texts):
 
 
 def folder_of(path):
-    """The folder as check_includes.py has it; a rule for one file counts to its folder."""
+    """The folder as in check_includes.py; a rule for one file counts as its folder."""
     rule = rule_for(path) or str(pathlib.PurePosixPath(path).parent)
     return rule if pathlib.PurePosixPath(rule).suffix == "" else str(pathlib.PurePosixPath(rule).parent)
 
@@ -69,7 +69,7 @@ def reach_of(folder, arrows):
 
 
 def floors_of(arrows):
-    """0: includes no other folder. Folders that include each other share a floor."""
+    """0: includes no other folder. Folders that include each other share a layer."""
     reach = {folder: reach_of(folder, arrows) for folder in arrows}
     floors = {}
 
@@ -89,11 +89,11 @@ def print_floors(arrows):
     for folder in sorted(arrows, key=lambda one: (floors[one], one)):
         below = ", ".join(sorted(arrows[folder]))
         print(f"{floors[folder]:2} {folder}{' -> ' + below if below else ''}")
-    print(f"{len(arrows)} folders, {sum(len(below) for below in arrows.values())} arrows, highest floor {max(floors.values())}")
+    print(f"{len(arrows)} folders, {sum(len(below) for below in arrows.values())} dependencies, highest layer {max(floors.values())}")
 
 
 def body_lines(text, opening):
-    """How many lines the braces span that open at this place."""
+    """Number of lines between the brace that opens here and its closing brace."""
     depth = 0
     for place in range(opening, len(text)):
         depth += {"{": 1, "}": -1}.get(text[place], 0)
@@ -127,7 +127,7 @@ def main():
     print_files_to_touch(texts)
     core = [text for path, text in code.items() if path.startswith("robot_agent/core/")]
     print(f"\nconst Config& in robot_agent/core: {sum(len(re.findall(r'const Config&', text)) for text in core)}")
-    print("\nFloors and arrows")
+    print("\nLayers and dependencies")
     print_floors(arrows_of(code))
     print("\nLongest classes (lines with their members)")
     classes = sorted(lines_of_classes(code).items(), key=lambda one: -one[1][0])

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What waiting costs: processor time of all processes of a run of 15 robots that has nothing to do, in percent of one core.
+"""Cost of waiting: processor time of all processes of a run of 15 robots that has nothing to do, in percent of one core.
 
-Three ways to wait: before the start, for a robot that is missing; in the middle of a run that is paused (`caravan ctl pause`); and at the
-clock, with `--pacing realtime`, for comparison: there 31 steps a second are worked."""
+Three ways to wait: before the start, for a robot that is missing; in the middle of a run that is paused (`caravan ctl pause`); and in
+real time, with `--pacing realtime`, for comparison: there 31 steps a second are executed."""
 
 import argparse
 import contextlib
@@ -30,7 +30,7 @@ def command_line() -> argparse.Namespace:
 
 
 def cpu_seconds(pid: int) -> float:
-    """Of all its threads, to the nanosecond: /proc/PID/stat counts clock ticks, which short wake-ups slip through."""
+    """Processor time of all its threads, to the nanosecond: /proc/PID/stat counts clock ticks, which miss short wake-ups."""
     return sum(int(one.read_text().split()[0]) for one in pathlib.Path(f"/proc/{pid}/task").glob("*/schedstat")) / 1e9
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One run over DDS and its floor: what the tables of this folder are made of."""
+"""One run over DDS and its floor: the data of the tables in this folder."""
 
 import contextlib
 import dataclasses
@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STEP_S = 0.032
-RECEIVING_SHARE = 0.3  # of the robots, in each step, in the floor and in still_world.cpp
+RECEIVING_SHARE = 0.3  # fraction of the robots that receive in each step, in the floor and in still_world.cpp
 
 
 @dataclasses.dataclass(frozen=True)
@@ -22,7 +22,7 @@ class Setting:
     robots: int = 15
     agents_per_process: int = 1
     transport: str = "shm"
-    still: bool = False  # the physics left out
+    still: bool = False  # without physics
     scenario: str = "scaling.toml"
 
 
@@ -32,8 +32,8 @@ class Pair:
 
     pipes: float  # steps/s
     dds: float  # steps/s
-    world_us: float  # physics and sensors, a step
-    cpu_us: float  # processor time of all processes, a step
+    world_us: float  # physics and sensors, per step
+    cpu_us: float  # processor time of all processes, per step
     pipes_cpu_us: float
 
     @property
@@ -46,9 +46,9 @@ def receiving_share(robots: int) -> float:
 
 
 def cpu_seconds_of(line: list) -> tuple[str, float]:
-    """What a command prints, and the processor time of it and its children."""
+    """The output of a command, and the processor time of it and its children."""
     before = os.times()
-    done = subprocess.run(line, stdout=subprocess.PIPE, text=True)  # what it complains of is shown
+    done = subprocess.run(line, stdout=subprocess.PIPE, text=True)  # its errors are shown
     if done.returncode != 0:
         sys.exit(f"{' '.join(map(str, line))} ended with exit code {done.returncode}")
     after = os.times()
@@ -56,7 +56,7 @@ def cpu_seconds_of(line: list) -> tuple[str, float]:
 
 
 def pipe_run(programs: pathlib.Path, robots: int, steps: int, world_us: float) -> tuple[float, float]:
-    """Steps a second, and processor seconds."""
+    """Steps per second, and processor seconds."""
     line = [programs / "pipe_floor", "--robots", str(robots), "--world-us", str(round(world_us)), "--steps", str(steps),
             "--receiving-share", str(receiving_share(robots))]
     text, cpu_s = cpu_seconds_of(line)
@@ -65,7 +65,7 @@ def pipe_run(programs: pathlib.Path, robots: int, steps: int, world_us: float) -
 
 @contextlib.contextmanager
 def with_still_world(programs: pathlib.Path) -> Iterator[pathlib.Path]:
-    """The programs in a folder of their own, with still_world in the place of the world server: caravan starts what lies
+    """The programs in a separate folder, with still_world in place of the world server: caravan starts the programs
     beside it."""
     with tempfile.TemporaryDirectory() as folder:
         there = pathlib.Path(folder)
@@ -76,7 +76,7 @@ def with_still_world(programs: pathlib.Path) -> Iterator[pathlib.Path]:
 
 
 def dds_run(programs: pathlib.Path, setting: Setting, steps: int) -> tuple[dict, float]:
-    """metrics.json of a run of so many steps, and the processor time of all its processes, start and end included."""
+    """metrics.json of a run of `steps` steps, and the processor time of all its processes, start and end included."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "run"
         line = [programs / "caravan", "run", ROOT / "deploy/scenarios" / setting.scenario, "--robots", str(setting.robots),
@@ -93,7 +93,7 @@ def place_of(programs: pathlib.Path, setting: Setting) -> Iterator[pathlib.Path]
 
 
 def start_cpu_s(programs: pathlib.Path, setting: Setting) -> float:
-    """Processor time of a run that hardly steps: of its start and end."""
+    """Processor time of a run with very few steps, that is, of its start and end."""
     with place_of(programs, setting) as place:
         return dds_run(place, setting, 10)[1]
 

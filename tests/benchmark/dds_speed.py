@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How fast the lockstep runs over DDS, against the same messages and barrier over pipes with one process for each agent.
+"""Measures how fast the lockstep runs over DDS, compared with the same messages and barrier over pipes with one process per agent.
 
-One table. Each row runs some pairs, a DDS run and then the floor, all rows in turn; medians are printed. `still` has the physics
-left out: the world server's shell around a world that stands still, against pipes alone. `world` is the real world server,
-against pipes whose world spends the time that physics and sensors took in the DDS run beside it. CPU is the processor time of all
-processes a step, without start and end; it says more than steps/s where the machine does other work, too."""
+One table. Each row runs some pairs, a DDS run and then the floor, all rows in turn; medians are printed. `still` has no
+physics: the world server's shell around a static world, compared with pipes alone. `world` is the real world server,
+compared with pipes whose world spends the time that physics and sensors took in the DDS run of the pair. CPU is the processor time of
+all processes per step, without start and end; it says more than steps/s where the machine has other work, too."""
 
 import argparse
 import pathlib

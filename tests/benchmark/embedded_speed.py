@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How fast the embedded engine runs scaling.toml, where its time goes, and against which floors.
+"""Measures how fast the embedded engine runs scaling.toml, how it spends its time, and compares it with floors.
 
-Each line comes from one process that takes the parts of a step and the whole step in turns, medians of the repetitions, in
-processor time: another process on the machine changes it little. `/ physics` compares the whole step with physics alone on
+Each line comes from one process that runs the parts of a step and the whole step in turns, medians of the repetitions, in
+processor time: other processes on the machine hardly change it. `/ physics` compares the whole step with physics alone on
 the same motions. Memory is the peak of a `caravan run`. Then a jam of robots that all touch each other, and the lockstep's
-messages over pipes without anything computed."""
+messages over pipes without any computation."""
 
 import argparse
 import json

@@ -6,7 +6,7 @@ namespace {
 
 using Programs = std::vector<std::unique_ptr<Process>>;
 
-// A busy machine delays everybody; what is late here is not what the suite is about.
+// A busy machine delays all processes; such delays are not the subject of the suite.
 const std::string kPatient = "gps_timeout_s = 3.0\nsilence_s = 1.8\n";
 
 std::string tcp(std::uint16_t port) { return "tcp:127.0.0.1:" + std::to_string(port); }

@@ -10,16 +10,16 @@
 
 namespace caravan::test {
 
-/// Something that serves rt/robot_1/sensors and obeys rt/robot_1/command.
+/// A program that provides rt/robot_1/sensors and executes rt/robot_1/command.
 struct Provider {
   std::string name;
-  /// Starts it on the field; everything ends with what is returned.
+  /// Starts it on the field; it ends with the returned processes.
   std::vector<std::unique_ptr<Process>> (*start)(class ContractField& field) = nullptr;
 };
 
 std::ostream& operator<<(std::ostream& out, const Provider& provider);
 
-/// A room with one robot near the source, and the truth beside it.
+/// A room with one robot near the source, and its truth.
 class ContractField : public Field, public ::testing::WithParamInterface<Provider> {
  public:
   using Field::start;
@@ -32,7 +32,7 @@ class ContractField : public Field, public ::testing::WithParamInterface<Provide
   Truth truth_{bus()};
 };
 
-/// All that this project has; yours is one more.
+/// The providers of this project; add yours.
 [[nodiscard]] std::vector<Provider> providers();
 
 }  // namespace caravan::test

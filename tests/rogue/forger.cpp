@@ -47,7 +47,7 @@ double Forger::real() {
 Bytes Forger::payload() {
   Bytes bytes(below(300));
   for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random_());
-  // As of the robots' own protocol.
+  // Looks like the robots' own protocol.
   if (bytes.size() > 1) bytes[0] = 0xc1, bytes[1] = static_cast<std::uint8_t>(1 + below(7));
   return bytes;
 }
@@ -172,7 +172,7 @@ void Forger::spoil(Bytes& bytes) {
       bytes[place] = kBytes.at(below(kBytes.size()));
       continue;
     }
-    // A length, where there is one: those of CDR begin at multiples of four.
+    // Probably a length: lengths in CDR are aligned to four bytes.
     const std::size_t word = place / 4 * 4;
     for (std::size_t i = word; i < std::min(word + 4, bytes.size()); ++i)
       bytes[i] = i < word + 3 ? 0xff : 0x7f;
@@ -181,7 +181,7 @@ void Forger::spoil(Bytes& bytes) {
 }
 
 Bytes Forger::noise() {
-  // Rarely far more than any sample of ours.
+  // Rarely much longer than any of our samples.
   Bytes bytes(below(200) == 0 ? 3U << 20U : below(2000));
   if (bytes.size() < 3000) {
     for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random_());

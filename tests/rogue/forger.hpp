@@ -13,14 +13,14 @@
 
 namespace caravan::test {
 
-/// What a stranger may know of a run: the newest truth.
+/// A stranger's knowledge of a run: the latest truth.
 struct Known {
   std::uint64_t session = 0;
   std::chrono::nanoseconds stamp{0};
   std::chrono::nanoseconds next_stamp{0};
 };
 
-/// Makes samples that do harm where they are believed. Deterministic for a seed and what is known.
+/// Creates samples that do harm where they are accepted. Deterministic for a seed and a Known.
 class Forger {
  public:
   Forger(std::uint32_t seed, std::uint32_t robots) : random_{seed}, robots_{robots} {}
@@ -28,7 +28,7 @@ class Forger {
   void know(const Known& known) { known_ = known; }
   [[nodiscard]] std::uint32_t below(std::uint32_t end) { return static_cast<std::uint32_t>(random_() % end); }
 
-  /// Of the topic's type, with forged stamps, sessions and whatever else decides something.
+  /// Fills a sample of the topic's type with forged stamps, sessions and other values that matter.
   void forge(caravan_interfaces::msg::SensorFrame& frame);
   void forge(caravan_interfaces::msg::RobotCommand& command);
   void forge(caravan_interfaces::msg::RadioTransmit& transmit);
@@ -44,13 +44,13 @@ class Forger {
   template <typename Sample>
   void forge(Sample&) {}  // the clock
 
-  /// Spoils some of a sample's bytes: lengths, booleans, anything.
+  /// Corrupts some of a sample's bytes: lengths, booleans, anything.
   void spoil(Bytes& bytes);
-  /// Bytes of no sample.
+  /// Random bytes.
   [[nodiscard]] Bytes noise();
 
  private:
-  /// Of now, of the next step, of later, of the end of time.
+  /// The present stamp, the next, a later one, or the last possible.
   [[nodiscard]] std::chrono::nanoseconds stamp();
   [[nodiscard]] std::uint64_t session();
   [[nodiscard]] double real();

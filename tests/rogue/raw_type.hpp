@@ -33,7 +33,7 @@ class RawType final : public runtime::PortableType<PubSubType> {
   }
 };
 
-/// A sample as it is on the wire.
+/// A sample as on the wire.
 template <typename PubSubType>
 [[nodiscard]] Bytes bytes_of(const typename PubSubType::type& sample) {
   runtime::PortableType<PubSubType> type;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// rogue: a stranger in the domain of a run. Once the run has begun it writes forged and spoiled samples on
-// every topic, so many a second for so long, and says how many at its end. With --role it states a role of
-// ours.
+// rogue: a stranger in the domain of a run. Once the run has begun it writes forged and corrupted samples on
+// every topic, at a given rate for a given time, and prints their number at its end. With --role it states a
+// role of ours.
 #include <CLI/CLI.hpp>
 
 #include <chrono>
@@ -30,7 +30,7 @@ struct Plan {
   std::uint32_t seed = 1;
   std::uint32_t robots = 4;
   double seconds = 5.0;
-  double rate = 200.0;  // samples a second
+  double rate = 200.0;  // samples per second
   std::string role = "rogue";
   std::string transport = "shm";
 };
@@ -84,7 +84,7 @@ class Rogue {
     add<msg::ControlRequestPubSubType>(idl::kControlRequest, 0);
     add<msg::ControlReplyPubSubType>(idl::kControlReply, 0);
   }
-  /// One sample on one topic.
+  /// Writes one sample on one topic.
   void strike(const Known& known) {
     forger_.know(known);
     attacks_[forger_.below(static_cast<std::uint32_t>(attacks_.size()))]();

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <string>
 
-/// docs/digest.md, written out once more: shares nothing with the code of the programs, so that page and
-/// programs cannot part.
+/// docs/digest.md, implemented again: shares nothing with the code of the programs, so that page and programs
+/// cannot diverge.
 namespace caravan::test::documented {
 
 inline void word(std::string& bytes, std::uint64_t value) {
@@ -25,7 +25,7 @@ inline void real(std::string& bytes, double value) {
   word(bytes, is_nan ? 0x7ff8000000000000ULL : bits);
 }
 
-/// FNV-1a of everything that steps added.
+/// FNV-1a of all data that the steps added.
 inline std::uint64_t chain(const std::string& bytes) {
   std::uint64_t value = 0xcbf29ce484222325ULL;
   for (const char one : bytes) {

@@ -16,11 +16,12 @@ struct Body {
   agent::Point p_WB{0.0, 0.0};
   double yaw_WB_rad = 0.0;
   bool holding = false;
-  bool alive = true;  ///< a dead one stands and is silent
+  bool alive = true;  ///< a dead one stands still and sends nothing
 };
 
-/// A flat world of line segments in which whole agents drive without physics: wheels turn as told at once,
-/// bodies stop at walls and at each other. Sonars lose rays at more than 22.5 degrees, as in the real one.
+/// A flat world of line segments in which whole agents drive without physics: wheels follow commands at once,
+/// bodies stop at walls and at each other. Sonars lose rays at more than 22.5 degrees, as in the emulated
+/// world.
 class LineWorld {
  public:
   explicit LineWorld(agent::Config config) : config_{std::move(config)} {}
@@ -28,7 +29,7 @@ class LineWorld {
   void add_walls(const std::vector<Wall>& walls) { walls_.insert(walls_.end(), walls.begin(), walls.end()); }
   /// A robot with an agent; ids count from 1.
   void add_robot(const agent::Point& p_WB, double yaw_WB_rad);
-  /// Something of a robot's size that sends nothing.
+  /// A body of a robot's size that sends nothing.
   void add_dead(const agent::Point& p_WB);
   void step();
   void run_for(double seconds);
@@ -41,9 +42,9 @@ class LineWorld {
   [[nodiscard]] int count(std::size_t robot, const std::string& event) const;
   [[nodiscard]] double now_s() const { return static_cast<double>(step_) * kStep_s; }
   void kill(std::size_t robot) { bodies_[robot].alive = false; }
-  /// Pairs of living robots that came to touch, as rectangles; a pair that stays together counts once.
+  /// Number of contacts between live robots, as rectangles; a pair that stays together counts once.
   [[nodiscard]] int contacts() const { return contacts_; }
-  /// Steps in which a body was held by a wall or another body.
+  /// Number of steps in which a wall or another body stopped a body.
   [[nodiscard]] std::uint64_t held() const { return held_; }
   [[nodiscard]] double longest_stand_s() const { return longest_stand_s_; }
 

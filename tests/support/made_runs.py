@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Folders of runs made by hand, small enough to know every number in them."""
+"""Folders of runs made by hand, small enough that every number in them is known."""
 
 import json
 import pathlib
@@ -48,7 +48,7 @@ def metrics(mode: str = "full", seed: int = 1, **changes) -> dict:
 
 
 def make_run(folder: pathlib.Path, mode: str = "full", seed: int = 1, **changes) -> pathlib.Path:
-    """Both robots drive along x, robot 1 at 1 m/s; robot 2 stands beside the place where robot 1 passes at 10 s."""
+    """Both robots drive along x, robot 1 at 1 m/s; robot 2 stands next to the point that robot 1 passes at 10 s."""
     folder.mkdir(parents=True)
     (folder / "metrics.json").write_text(json.dumps(metrics(mode, seed, **changes)))
     (folder / "scenario.toml").write_text(SCENARIO)

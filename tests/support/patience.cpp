@@ -15,7 +15,7 @@ namespace {
 constexpr std::chrono::milliseconds kLookPeriod{5};
 constexpr std::chrono::duration<double> kMostOfAPause{1.0};
 constexpr std::size_t kSorted = 20'000;
-constexpr double kSortedInS = 0.001;  // on a processor of 2020, in a build that is optimised
+constexpr double kSortedInS = 0.001;  // on a processor of 2020, in an optimised build
 constexpr double kShortLease_s = 2.0;
 constexpr double kLongestShortLease_s = 10.0;
 
@@ -34,14 +34,14 @@ double sorting_takes_s() {
   return processor_time_s() - before;
 }
 
-/// By how much a processor of this machine is slower: of three tries the best.
+/// Factor by which a processor of this machine is slower: the best of three tries.
 double slower_by() {
   static const double measured =
       std::min({sorting_takes_s(), sorting_takes_s(), sorting_takes_s()}) / kSortedInS;
   return measured;
 }
 
-/// Processes that run or are ready to, without this one.
+/// Number of processes that run or are ready to run, without this one.
 unsigned ready() {
   std::ifstream file{"/proc/loadavg"};
   double average = 0.0;

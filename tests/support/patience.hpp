@@ -3,21 +3,21 @@
 
 #include <chrono>
 
-/// How long tests wait. They say how long something may take on an idle machine of today; on a busy or slow
-/// one they wait longer by as much as is measured, so that a test fails for what the programs do and not for
-/// what else the machine does.
+/// How long tests wait. A test gives the time that something may take on a current idle machine; on a busy or
+/// slow machine it waits longer, as measured, so that a test fails because of the programs and not because of
+/// other load.
 namespace caravan::test {
 
-/// For what takes seconds at most. Long, since it is only waited out by a test that fails.
+/// For waits of a few seconds at most. Long, because only a failing test waits that long.
 inline constexpr std::chrono::milliseconds kPatience{60'000};
 
-/// How many times longer a process takes now than on an idle machine of today, 1 at least: the processes that
-/// are ready to run for each processor, times how slow a processor is.
+/// How many times longer a process takes now than on a current idle machine, at least 1: the number of
+/// processes ready to run per processor, times the slowness of a processor.
 [[nodiscard]] double slowness();
-/// The same from its parts. @param ready  processes ready to run, beside the one that asks
+/// The same from its parts. @param ready  processes ready to run, without the caller
 [[nodiscard]] double slowness(unsigned ready, unsigned processors, double slower_by);
 
-/// A deadline that comes nearer only as fast as the machine gets on.
+/// A deadline that approaches only as fast as the machine makes progress.
 class Patience {
  public:
   using Clock = std::chrono::steady_clock;
@@ -25,12 +25,12 @@ class Patience {
   explicit Patience(std::chrono::milliseconds on_an_idle_machine)
       : left_{on_an_idle_machine}, looked_at_{Clock::now()} {}
 
-  /// Looks at the machine: to be called often, since it takes what it sees for all the time since last time.
+  /// Measures the machine. Call it often: one measurement counts for all the time since the last call.
   [[nodiscard]] bool is_over();
-  /// Counts time that has passed. Of a pause longer than a second no more than that: then the test itself did
-  /// not get on.
+  /// Counts time that has passed. Of a pause longer than a second it counts one second: the test itself made
+  /// no progress then.
   void count(std::chrono::duration<double> passed, double slowness);
-  /// At least so much more will pass on the wall clock.
+  /// Wall time that is left at least.
   [[nodiscard]] std::chrono::duration<double> left() const { return left_; }
 
  private:
@@ -38,13 +38,13 @@ class Patience {
   Clock::time_point looked_at_;
 };
 
-/// The lease of processes whose loss a test waits for, s: short, but long enough that none which lives is
-/// lost for want of processor time.
+/// The lease of processes whose loss a test waits for, s: short, but long enough that no running process is
+/// lost for lack of processor time.
 [[nodiscard]] double short_lease_s();
-/// By a second and a half: so that what shows itself after a lease has shown itself.
+/// Longer by a second and a half, so that everything that appears after a lease has appeared.
 [[nodiscard]] std::chrono::milliseconds longer_than_a_short_lease();
 
-/// Waits until `condition()` holds. @return false when it does not within `patience`
+/// Waits until `condition()` holds. @return false if it does not hold within `patience`
 template <typename Condition>
 [[nodiscard]] bool eventually(Condition condition, std::chrono::milliseconds patience);
 

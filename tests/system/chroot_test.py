@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""deploy/chroot: what it refuses, in one line each, and that a command leaves nothing mounted and nobody running. What needs a Debian that
-is made already (build/chroot) is skipped where there is none. tests/run --both: that the other release counts as skipped where none can be made."""
+"""deploy/chroot: its refusals, one line each, and that a command leaves nothing mounted and no process running. Tests that need an
+existing Debian (build/chroot) are skipped without one. tests/run --both: the other release counts as skipped if none can be made."""
 
 import fcntl
 import os
@@ -22,7 +22,7 @@ def run(line: list, **more) -> subprocess.CompletedProcess:
 
 
 def mounts() -> str:
-    """Without what other tests mount meanwhile."""
+    """Mounts, without those that other tests make meanwhile."""
     return "\n".join(line for line in pathlib.Path("/proc/self/mountinfo").read_text().splitlines() if "chroot" in line)
 
 
@@ -68,7 +68,7 @@ class Refusals(unittest.TestCase):
 
 @unittest.skipUnless(IS_ROOT, "needs root")
 class OtherRelease(unittest.TestCase):
-    """What tests/run --both does where it cannot try the other release: it says why, and nothing fails."""
+    """tests/run --both where it cannot test the other release: it gives the reason, and nothing fails."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -100,7 +100,7 @@ class OtherRelease(unittest.TestCase):
         self.check_skipped(["setpriv", "--bounding-set", "-sys_admin"], "Operation not permitted")
 
     def test_is_skipped_when_its_time_is_over(self):
-        # Who makes it now takes for ever, as with a mirror that sends nothing.
+        # Creating it now takes forever, as with a mirror that sends nothing.
         with open(f"{self.folder}/lock", "w", encoding="ascii") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             self.check_skipped([], "did not come within 1 s", end_s="1")
@@ -116,7 +116,7 @@ class Command(unittest.TestCase):
 
     def test_leaves_nothing_mounted_and_nobody_running(self):
         before = mounts()
-        # 86399 s: a number that nobody else sleeps for
+        # 86399 s: a time that no other process sleeps
         result = run([CHROOT, MADE[0], "sh", "-c", "sleep 86399 > /dev/null 2>&1 & touch /dev/shm/left"])
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(mounts(), before)

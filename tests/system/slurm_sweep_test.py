@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Brings up Slurm as a cluster of one node in a folder of its own, submits a small sweep with deploy/slurm/submit, and compares its tables
-with those of a sweep without Slurm. Touches no Slurm that the machine may run. Exit code 77: skipped, because a program is missing."""
+"""Starts Slurm as a cluster of one node in a separate folder, submits a small sweep with deploy/slurm/submit, and compares its tables
+with those of a sweep without Slurm. Does not touch a Slurm that the machine may run. Exit code 77: skipped, because a program is missing."""
 
 import argparse
 import contextlib
@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENARIO = ROOT / "deploy/scenarios/small.toml"
 OPTIONS = ["--seeds", "1-2", "--modes", "none,full", "--items", "0", "--max-time", "60"]
 SKIPPED = 77
-PATIENCE_S = 1200.0  # of a busy machine
+PATIENCE_S = 1200.0  # enough for a busy machine
 
 CONFIGURATION = """\
 ClusterName=one
@@ -147,7 +147,7 @@ def main() -> int:
     alone, array = folder / "alone", folder / "array"
     with Cluster(folder) as cluster:
         sweep_on(cluster, caravan, array)
-        sweep_on(cluster, caravan, array)  # again: everything is there already
+        sweep_on(cluster, caravan, array)  # again: everything is already done
     subprocess.run([caravan, "sweep", SCENARIO, *OPTIONS, "--out", alone, "--quiet"], check=True)
     for name in ("summary.csv", "sweep.json"):
         if not (array / name).exists() or (array / name).read_bytes() != (alone / name).read_bytes():

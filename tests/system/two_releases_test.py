@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The programs of this build and of the one that deploy/chroot made of the other Debian release: the same digests, and one swarm over
+"""The programs of this build and of the build that deploy/chroot made on the other Debian release: the same digests, and one swarm over
 UDP with processes of both. Exit code 77: skipped, because there is no such build."""
 
 import argparse
@@ -33,7 +33,7 @@ class Build:
 
 
 def builds(folder: pathlib.Path | None, preset: str) -> list:
-    """The one of this machine and, where there is one, that of the other release."""
+    """The build of this machine and, if there is one, that of the other release."""
     programs = f"build/{preset}/bin"
     found = [Build("this release", [], programs)] if (ROOT / programs / "caravan").exists() else []
     for release in RELEASES:
@@ -55,7 +55,7 @@ def embedded_digest(build: Build, seconds: str, seed: str) -> str:
 
 @contextlib.contextmanager
 def free_domain():
-    """A DDS domain that no run of this machine has; taken as runtime/host/domain_lock.cpp takes it."""
+    """A DDS domain that no run of this machine uses; locked in the same way as runtime/host/domain_lock.cpp does."""
     for domain in range(229, 99, -1):
         with open(f"{tempfile.gettempdir()}/caravan_domain_{domain}.lock", "a", encoding="ascii") as lock:
             try:
@@ -68,7 +68,7 @@ def free_domain():
 
 
 def swarm_digest(world: Build, radio: Build, agents: dict) -> str:
-    """Of the whole scenario over UDP. agents: robots such as "1,2" and the build that their agents are from."""
+    """The digest of the whole scenario over UDP. agents: robots such as "1,2" and the build of their agents."""
     with free_domain() as domain, tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as ended:
 
         def start(build: Build, program: str, *options: str) -> pathlib.Path:
@@ -76,7 +76,7 @@ def swarm_digest(world: Build, radio: Build, agents: dict) -> str:
             line = build.line(program, "--scenario", SCENARIO, "--domain", domain, "--transport", "udp", *options)
             process = subprocess.Popen(line, cwd=ROOT, stdout=log.open("w"), stderr=subprocess.STDOUT)
             ended.callback(process.wait)
-            # A program in a chroot ends with its namespace; the others remove what they made in shared memory.
+            # A program in a chroot ends with its namespace; the others remove their files in shared memory.
             ended.callback(process.send_signal, signal.SIGKILL if build.prefix else signal.SIGTERM)
             return log
 
@@ -101,7 +101,7 @@ def main() -> int:
         print("no build of the other Debian release in build/chroot (deploy/chroot): nothing to compare")
         return SKIPPED
     this, other = both[:2]
-    # A build that is older than the tree would be told from the other by what has changed since.
+    # A build older than the tree would differ from the other because of later changes.
     subprocess.run([*other.prefix, "cmake", "--build", "--preset", arguments.preset, "--target", "caravan", "world_server",
                     "radio_emulator", "robot_agent"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     results = {}

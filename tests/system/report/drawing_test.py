@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report as files: every figure shows something, the page needs nothing else, colours can be told apart."""
+"""The report as files: every figure shows something, the page is self-contained, colours are distinguishable."""
 
 import contextlib
 import io
@@ -23,7 +23,7 @@ from page import page  # noqa: E402
 from quantities import by_mode  # noqa: E402
 from records import read_run  # noqa: E402
 
-# Machado, Oliveira and Fernandes 2009: what the colour-blind see, in linear RGB.
+# Machado, Oliveira and Fernandes 2009: simulation of colour blindness, in linear RGB.
 SEEN_BY = {
     "everybody": np.eye(3),
     "protanopes": np.array([[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216],
@@ -69,7 +69,7 @@ class Colours(unittest.TestCase):
 
 
 def write(out: pathlib.Path, *folders: pathlib.Path) -> tuple[int, str]:
-    """The exit code and what was said on standard error."""
+    """The exit code and the standard error."""
     said = io.StringIO()
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(said):
         code = report.write_report(list(folders), out)
@@ -77,7 +77,7 @@ def write(out: pathlib.Path, *folders: pathlib.Path) -> tuple[int, str]:
 
 
 class ReportOfASweep(unittest.TestCase):
-    """Three modes of three runs, one of which is broken, and one run in which nobody had a path."""
+    """Three modes of three runs, one of which is broken, and one run in which no robot had a path."""
 
     @classmethod
     def setUpClass(cls) -> None:

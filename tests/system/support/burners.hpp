@@ -7,7 +7,7 @@
 
 namespace caravan::test {
 
-/// Keeps every core busy with a process that computes for nothing, while this lives.
+/// Keeps every core busy with a useless computation during its lifetime.
 class Burners {
  public:
   Burners();

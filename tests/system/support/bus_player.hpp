@@ -12,10 +12,10 @@
 #include "runtime/bus/bus.hpp"
 #include "tests/system/support/process.hpp"
 
-/// The test itself on the bus, in the place of one of the processes.
+/// The test itself on the bus, in place of one of the processes.
 namespace caravan::test {
 
-/// Collects the samples of one topic, on a participant of its own.
+/// Collects the samples of one topic, on its own participant.
 template <typename PubSubType>
 class Collector {
  public:
@@ -31,7 +31,7 @@ class Collector {
     const std::lock_guard lock{mutex_};
     return samples_;
   }
-  /// The first sample for which `wanted(sample)` holds, none within `kPatience`.
+  /// The first sample for which `wanted(sample)` holds, none if there is none within `kPatience`.
   template <typename Wanted>
   [[nodiscard]] std::optional<Sample> first(Wanted wanted) const {
     std::optional<Sample> found;

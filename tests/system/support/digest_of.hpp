@@ -9,7 +9,7 @@
 
 namespace caravan::test {
 
-/// Where a run's parts are put, as options of `caravan run`.
+/// Placement of a run's processes, as options of `caravan run`.
 struct Placement {
   std::string name;
   std::vector<std::string> options;
@@ -24,7 +24,7 @@ inline const std::vector<std::string> kEmbedded{"--engine", "embedded"};
   return info.param.name;
 }
 
-/// Runs the scenario and gives the digest of the run, empty when it was disturbed or failed.
+/// Runs the scenario and returns the digest of the run; empty if it was disturbed or failed.
 [[nodiscard]] std::string digest_of(const std::string& scenario_name,
                                     const std::vector<std::string>& placement,
                                     const std::vector<std::string>& experiment);

@@ -9,13 +9,13 @@
 #include "tests/system/support/patient_deployment.hpp"
 #include "tests/system/support/process.hpp"
 
-/// What the tests of faults share. docs/faults.md lists them and what they would catch.
+/// Code shared by the tests of faults. docs/faults.md lists them and the defects that they detect.
 namespace caravan::test {
 
 using namespace std::chrono_literals;
 
-/// The small room with the destination in sight of the start: soon everybody has a path and exchanges it,
-/// again and again.
+/// The small room with the destination in sight of the start: soon every robot has a path and exchanges it
+/// repeatedly.
 inline constexpr const char* kBusy = R"(
 robots.destination_m = [-1.0, -4.5]
 algorithm.sharing_starts_s = 2.0
@@ -41,8 +41,8 @@ class Faults : public PatientDeployment {
     const std::string later = "step > " + std::to_string(seen().step + 200);
     return happens("the run goes on", later);
   }
-  /// Suspends a process while it waits. One that is stopped in the middle of a send or a receive may hold a
-  /// lock in shared memory that all others need: a limit of DDS, not what these tests are about.
+  /// Suspends a process while it waits. A process that is stopped in the middle of a send or a receive may
+  /// hold a lock in shared memory that all others need: a limit of DDS, not the subject of these tests.
   void suspend_at_rest(const std::string& who) {
     suspended_at_ = std::chrono::steady_clock::now();
     ASSERT_TRUE(does("pause"));
@@ -51,7 +51,7 @@ class Faults : public PatientDeployment {
     if (who == "world") return;
     ASSERT_TRUE(does("resume"));
   }
-  /// Waits until the last that was suspended has been so for this long, on the wall clock as its lease is.
+  /// Waits until the process suspended last has been suspended for this long, in wall time like its lease.
   [[nodiscard]] ::testing::AssertionResult stays_suspended_for(double time_s) {
     const std::chrono::duration<double> time{time_s};
     return happens(

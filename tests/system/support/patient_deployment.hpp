@@ -10,7 +10,7 @@
 
 namespace caravan::test {
 
-/// The fixture of the kit, but `happens` waits longer on a busy machine.
+/// The fixture of the kit, except that `happens` waits longer on a busy machine.
 class PatientDeployment : public deploy::DeploymentTest {
  protected:
   template <typename Wanted>

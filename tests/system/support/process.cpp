@@ -34,7 +34,7 @@ Process::Process(std::vector<std::string> arguments, fs::path log)
 
 Process::~Process() {
   signal(SIGTERM);
-  signal(SIGCONT);  // of one that is suspended
+  signal(SIGCONT);  // in case it is suspended
   (void)wait(std::chrono::seconds{10});
 }
 

@@ -14,18 +14,18 @@
 
 namespace caravan::test {
 
-/// As that of the kit, but waits longer on a busy machine.
+/// Like that of the kit, but waits longer on a busy machine.
 class PatientProcess : public deploy::Process {
  public:
   using deploy::Process::Process;
   std::optional<int> wait(std::chrono::milliseconds patience);
   [[nodiscard]] bool prints(const std::string& text, std::chrono::milliseconds patience) const;
-  /// Whether it still runs when this time on the wall clock is over.
+  /// Whether it still runs after this wall time.
   [[nodiscard]] bool runs_on_for(std::chrono::milliseconds time) { return !deploy::Process::wait(time); }
 };
 
-/// One of our programs as a user starts it. Told to end when this goes out of scope, so that it leaves
-/// nothing behind; killed when it does not.
+/// One of our programs, started as by a user. Stopped with SIGTERM when this object is destroyed, so that it
+/// leaves nothing behind; killed if it does not stop.
 class Process : public PatientProcess {
  public:
   /// @param arguments  the first is the program's name in the folder of binaries
@@ -36,7 +36,7 @@ class Process : public PatientProcess {
   Process& operator=(const Process&) = delete;
 };
 
-/// A folder for one test, removed when the test passed and kept, with its place printed, when it failed.
+/// A folder for one test: removed if the test passed; kept, and its path printed, if it failed.
 class ScratchFolder {
  public:
   ScratchFolder();
@@ -52,13 +52,13 @@ class ScratchFolder {
 
 [[nodiscard]] std::string read_file(const std::filesystem::path& file);
 void write_file(const std::filesystem::path& file, const std::string& text);
-/// `text` with the first `from` replaced. Fails the test when there is none.
+/// `text` with the first `from` replaced. Fails the test if there is none.
 [[nodiscard]] std::string replaced(std::string text, const std::string& from, const std::string& to);
-/// DDS files in /dev/shm that belong to the domain's ports or to nobody alive.
+/// DDS files in /dev/shm that belong to the domain's ports or to no running process.
 [[nodiscard]] std::vector<std::string> left_in_shared_memory(std::uint32_t domain);
-/// Pids of living processes whose command line has `--domain <domain>`.
+/// Pids of running processes whose command line has `--domain <domain>`.
 [[nodiscard]] std::vector<pid_t> processes_in(std::uint32_t domain);
-/// The one of them that runs this program and has `more` in its command line, -1 when there is none.
+/// The pid of the one that runs this program and has `more` in its command line; -1 if there is none.
 [[nodiscard]] pid_t pid_in(std::uint32_t domain, const std::string& program, const std::string& more = "");
 [[nodiscard]] std::filesystem::path scenario(const std::string& name);
 

@@ -11,16 +11,16 @@
 
 namespace caravan::test {
 
-/// What rogues do (tests/rogue), beginning when the run has.
+/// What rogues (tests/rogue) do from the start of the run.
 struct Mischief {
   std::uint32_t domain = 0;
   std::uint32_t robots = 4;
-  double rate = 200.0;  ///< samples a second, of each
+  double rate = 200.0;  ///< samples per second, per rogue
   double seconds = 3600.0;
-  std::uint32_t seed = 1;  ///< of the first
+  std::uint32_t seed = 1;  ///< seed of the first rogue
 };
 
-/// A rogue of each role; they end with this.
+/// One rogue for each role; they end with this object.
 class Rogues {
  public:
   Rogues(const std::vector<std::string>& roles, const Mischief& mischief,

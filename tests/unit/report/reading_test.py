@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the report reads out of a run, and what it does with folders that hold none."""
+"""The data that the report reads from a run, and its handling of folders without one."""
 
 import json
 import pathlib
