@@ -11,28 +11,28 @@ inline constexpr Time kDeadman = std::chrono::milliseconds{600};
 
 /// The phase of a run.
 enum class Phase : std::uint8_t {
-  kWaiting,   ///< for whoever is missing in the first step
-  kOpen,      ///< a step's sensors are published, its commands are awaited
+  kWaiting,   ///< for robots and observers missing at the start
+  kOpen,      ///< the step's sensors are published, its commands are awaited
   kAdvanced,  ///< the bodies have moved, the radio's answer is awaited
   kClosed,    ///< between two steps
   kFinished,  ///< all items are delivered, or the time is over
-  kFailed     ///< the physics could not go on
+  kFailed     ///< the physics could not continue
 };
 
-/// What has to be done for the run to go on.
+/// The next action of the run.
 enum class Move : std::uint8_t {
   kNone,         ///< something has not arrived yet, or the run is over
   kStart,        ///< no robot is missing: open the first step
   kAdvance,      ///< move the bodies
   kClose,        ///< end the step
-  kOpenOrFinish  ///< the step is over: finish the run, or open the next step when it may begin
+  kOpenOrFinish  ///< the step is over: finish the run, or open the next step when allowed
 };
 
-/// The phases of the lockstep: waiting, then open, advanced and closed for each step, at last finished or
-/// failed. The Barrier says who is awaited; the Lockstep says what follows. A value without clock or topic.
+/// The phases of the lockstep: waiting, then open, advanced and closed for each step, finally finished or
+/// failed. The Barrier says what is awaited; the Lockstep says what follows. A value without clock or topic.
 class Lockstep {
  public:
-  /// @param follows_clock  pacing `free`: the clock ends a step, not what arrives
+  /// @param follows_clock  pacing `free`: the clock ends a step, not the arrival of answers
   explicit Lockstep(bool follows_clock) : follows_clock_{follows_clock} {}
 
   [[nodiscard]] Phase phase() const { return phase_; }

@@ -8,15 +8,16 @@
 
 namespace caravan::world {
 
-/// When the next step is due on the wall clock. A speed is simulated by real time; 0 is as fast as possible.
+/// The wall time at which the next step is due. A speed is simulated time divided by real time; 0: as fast as
+/// possible.
 class Pace {
  public:
   explicit Pace(Time period) : period_{period} {}
 
   /// The first step is due now.
   void start(Wall now) { due_ = now; }
-  /// A step opens, so the next one is due one period after it was due itself. A delay of more than 100 ms is
-  /// not made up for.
+  /// A step opens; the next one is due one period after this one was due. A delay of more than 100 ms is not
+  /// made up for.
   void open(Wall now, double speed) {
     const Wall::duration period = period_at(speed);
     due_ = now - due_ > kLongDelay ? now + period : due_ + period;

@@ -10,7 +10,7 @@
 
 namespace caravan::world {
 
-/// What has arrived for the step. By robot: [0] is robot 1.
+/// The samples that have arrived for the step. By robot: [0] is robot 1.
 struct StepInputs {
   explicit StepInputs(std::uint32_t robots)
       : commands(robots), commanded_at(robots), radio_due(robots, false) {}
@@ -19,15 +19,15 @@ struct StepInputs {
   std::vector<Time> commanded_at;        ///< stamp of the step in which each arrived
   std::vector<std::uint32_t> reporting;  ///< robots that have reported in the open step
   std::vector<std::uint32_t> reported;   ///< robots that had reported when the bodies moved last
-  std::vector<bool> radio_due;           ///< the radio has something for the robot in the next step
+  std::vector<bool> radio_due;           ///< the radio has frames for the robot in the next step
   std::uint64_t radio_chain = pure::HashChain{}.value();  ///< the radio's hash chain
-  bool radio_controlled = false;                          ///< somebody has overridden the radio's rules
+  bool radio_controlled = false;                          ///< the radio's links were overridden on request
 
   void command(std::uint32_t robot, const Command& command, Time stamp) {
     commands[robot - 1] = command;
     commanded_at[robot - 1] = stamp;
   }
-  /// A robot has left: nothing that it sent moves it.
+  /// A robot has left: discards its command.
   void drop(std::uint32_t robot) { commands[robot - 1].reset(); }
   /// The bodies have moved. In pacing `free` commands hold until they are too old.
   void moved(bool commands_hold) {

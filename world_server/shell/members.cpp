@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who is found and who has gone: agents, the radio, observers.
+// Participants found and lost: agents, the radio, observers.
 #include <spdlog/spdlog.h>
 
 #include <algorithm>

@@ -35,7 +35,7 @@ void Outputs::sensors(World& world, Time stamp, const std::vector<bool>& radio_d
                       std::chrono::nanoseconds& sensing) {
   rosgraph_msgs::msg::Clock clock;
   clock.clock(idl::to_wire(stamp));
-  clock_.write(clock);  // the run does not depend on it
+  clock_.write(clock);  // a lost sample of it does not matter
   frame_.stamp(idl::to_wire(stamp));
   frame_.session(session_);
   for (std::uint32_t robot = 1; robot <= sensors_.size(); ++robot) {

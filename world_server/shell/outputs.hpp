@@ -15,17 +15,17 @@
 
 namespace caravan::world {
 
-/// The topics that the world writes. Counts what DDS does not take.
+/// The topics that the world writes. Counts the samples that DDS does not accept.
 class Outputs {
  public:
   Outputs(const WorldConfig& config, std::uint64_t session, Time period, runtime::Bus& bus);
 
-  /// The clock, and what each robot senses.
-  /// @param radio_due  by robot: it has to await the radio's frame of this step too
-  /// @param sensing    grows by the time that sensing took
+  /// Writes the clock and the sensor readings of each robot.
+  /// @param radio_due  by robot: whether it must also wait for the radio's frame of this step
+  /// @param sensing    increased by the time that sensing took
   void sensors(World& world, Time stamp, const std::vector<bool>& radio_due,
                std::chrono::nanoseconds& sensing);
-  /// True poses, contacts and items, and who takes part in the step.
+  /// Writes true poses, contacts and items, and the members of the step.
   /// @param reported  robots that reported when the bodies moved last
   /// @param last      no step follows
   void truth(const World& world, std::span<const std::uint32_t> members,
