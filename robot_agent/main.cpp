@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "robot_agent/config/agent_config.hpp"
+#include "robot_agent/controller/controllers.hpp"
 #include "robot_agent/shell/agent_shell.hpp"
 #include "runtime/config/number_list.hpp"
 #include "runtime/config/start_error.hpp"
@@ -34,24 +35,30 @@ Chosen choose(std::uint32_t one, const std::vector<std::string>& several) {
 int main(int argc, char** argv) {
   std::uint32_t one = kNotGiven;
   std::vector<std::string> several;
+  std::vector<std::string> controller;
   const runtime::Program program{
       .name = "robot_agent",
-      .purpose = "A robot's behaviour: knows its own sensors, wheels and radio, nothing else",
+      .purpose = "Runs a robot's controller, which has its own sensors, wheels and radio and nothing else",
       .numbers = {{"--robot", "Number of the robot, from 1", false, &one}},
-      .texts = {{"--robots", "Several in this process: 1-15, or 1,3,5-8", &several}}};
-  return runtime::run_process(program, argc, argv,
-                              [&](const runtime::Start& start, runtime::Loop& loop) -> int {
-                                const Chosen chosen = choose(one, several);
-                                const auto scenario = runtime::TomlDocument::load(start.scenario);
-                                std::vector<agent::Config> configs;
-                                for (const std::uint32_t robot : chosen.robots) {
-                                  configs.push_back(agent::load_config(scenario, robot));
-                                }
-                                if (start.check_only) return runtime::kDone;
-                                const runtime::BusConfig bus{.role = "robot_agent " + chosen.text,
-                                                             .domain = start.domain,
-                                                             .lease_s = start.lease_s,
-                                                             .transport = start.transport};
-                                return agent::AgentShell{configs, bus, loop}.run();
-                              });
+      .texts = {{"--robots", "Several in this process: 1-15, or 1,3,5-8", &several},
+                {"--controller", "What drives them: paper, or a shared library; without it the scenario says",
+                 &controller}}};
+  return runtime::run_process(
+      program, argc, argv, [&](const runtime::Start& start, runtime::Loop& loop) -> int {
+        const Chosen chosen = choose(one, several);
+        const auto scenario = runtime::TomlDocument::load(start.scenario);
+        std::vector<agent::Config> configs;
+        for (const std::uint32_t robot : chosen.robots) {
+          configs.push_back(agent::load_config(scenario, robot));
+        }
+        const agent::Controllers controllers{
+            scenario, controller.empty() ? agent::controller_in(scenario) : controller.back()};
+        for (const agent::Config& config : configs) (void)controllers.make(config);
+        if (start.check_only) return runtime::kDone;
+        const runtime::BusConfig bus{.role = "robot_agent " + chosen.text,
+                                     .domain = start.domain,
+                                     .lease_s = start.lease_s,
+                                     .transport = start.transport};
+        return agent::AgentShell{controllers, configs, bus, loop}.run();
+      });
 }

@@ -5,6 +5,7 @@
 #include "hardware_bridge/config/bridge_table.hpp"
 #include "radio_emulator/config/radio_config.hpp"
 #include "robot_agent/config/agent_config.hpp"
+#include "robot_agent/controller/controllers.hpp"
 #include "world_server/config/world_config.hpp"
 #include "world_server/world.hpp"
 
@@ -25,14 +26,17 @@ std::string to_text(agent::Sharing sharing) {
 
 }  // namespace
 
-experiment::RunFacts check_tables(const runtime::TomlDocument& scenario) {
+experiment::RunFacts check_tables(const runtime::TomlDocument& scenario, const std::string& controller) {
   const world::WorldConfig world_config = world::load_world_config(scenario);
   (void)radio::load_radio_config(scenario);
   (void)bridge::read_bridge(scenario);
   const agent::Config agent_config = agent::load_config(scenario, 1);
+  const agent::Controllers controllers{scenario, controller};
+  (void)controllers.make(agent_config);
   const std::chrono::duration<double> max_time{world_config.experiment.max_time_s};
   return {.scenario = name_of(scenario),
           .engine = {},
+          .controller = controllers.name(),
           .mode = to_text(agent_config.sharing.mode),
           .seed = world_config.seed,
           .robots = world_config.robots.count,
@@ -41,7 +45,7 @@ experiment::RunFacts check_tables(const runtime::TomlDocument& scenario) {
 }
 
 experiment::RunFacts check_scenario(const runtime::TomlDocument& scenario) {
-  experiment::RunFacts facts = check_tables(scenario);
+  experiment::RunFacts facts = check_tables(scenario, agent::controller_in(scenario));
   const world::World trial{world::load_world_config(scenario)};
   return facts;
 }

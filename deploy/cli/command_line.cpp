@@ -24,6 +24,8 @@ void add_changes(CLI::App& app, Overrides& overrides) {
   app.add_option("--robots", overrides.robots, "Number of robots");
   app.add_option("--items", overrides.items, "Deliveries that end the run; 0: it ends with the time");
   app.add_option("--max-time", overrides.max_time_s, "Simulated seconds after which the run ends");
+  app.add_option("--controller", overrides.controller,
+                 "What drives the robots: paper, or a shared library (see docs/your_own_agent.md)");
   app.add_option("--pacing", overrides.pacing, "fast, realtime or free")
       ->check(CLI::IsMember({"fast", "realtime", "free"}));
 }
@@ -112,6 +114,8 @@ void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
   deploy.add_option("--out", command.out, "Folder for the logs; must be new or empty")
       ->check(complaint_about_name);
   deploy.add_option("--junit", command.junit, "Report in JUnit XML; without it junit.xml among the logs")
+      ->check(complaint_about_name);
+  deploy.add_option("--controller", command.controller, "What drives the robots: paper, or a shared library")
       ->check(complaint_about_name);
   deploy.add_option("--domain", command.domain, "DDS domain; without it a free one is taken")
       ->check(CLI::Range(0U, 232U));

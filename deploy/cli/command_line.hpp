@@ -72,6 +72,7 @@ struct DeployCommand {
   std::filesystem::path script;
   std::optional<std::filesystem::path> out;
   std::optional<std::filesystem::path> junit;
+  std::string controller;  ///< "paper" or a path; empty: the scenario's
   std::optional<std::uint32_t> domain;
   runtime::Transport transport = runtime::Transport::kSharedMemory;
   bool check_only = false;

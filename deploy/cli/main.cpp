@@ -43,7 +43,9 @@ void write_first_file(const std::filesystem::path& file, const std::string& text
 int run(const deploy::RunCommand& command) {
   runtime::Loop loop;
   const auto original = runtime::TomlDocument::load(command.scenario);
-  (void)deploy::check_tables(original);  // first, because only the original knows the lines
+  (void)deploy::check_tables(
+      original, deploy::controller_of(
+                    original, command.overrides));  // first, because only the original knows the lines
   const std::string text = deploy::effective_text(original, command.overrides);
   const auto effective =
       runtime::TomlDocument::parse(text, command.scenario.string() + " with the command line's changes");
@@ -114,6 +116,7 @@ int obey(const deploy::DeployCommand& command) {
   return deploy::run_script({.script = command.script,
                              .out = command.out,
                              .junit = command.junit,
+                             .controller = deploy::absolute_controller(command.controller),
                              .domain = command.domain,
                              .transport = command.transport,
                              .check_only = command.check_only,

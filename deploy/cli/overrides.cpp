@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <sstream>
 
+#include "robot_agent/controller/controllers.hpp"
+
 namespace caravan::deploy {
 namespace {
 
@@ -51,6 +53,16 @@ std::string name_of(const runtime::TomlDocument& scenario) {
   return is_name(name) ? name : "scenario";
 }
 
+std::string absolute_controller(const std::string& given) {
+  if (given.empty() || given == agent::kPaper) return given;
+  return std::filesystem::absolute(given).lexically_normal();
+}
+
+std::string controller_of(const runtime::TomlDocument& scenario, const Overrides& overrides) {
+  if (!overrides.controller) return agent::controller_in(scenario);
+  return absolute_controller(*overrides.controller);
+}
+
 std::string effective_text(const runtime::TomlDocument& scenario, const Overrides& overrides) {
   toml::table tree = scenario.tree();
   tree.insert_or_assign("name", name_of(scenario));
@@ -60,6 +72,8 @@ std::string effective_text(const runtime::TomlDocument& scenario, const Override
   if (overrides.items) set(tree, "experiment", "items", static_cast<std::int64_t>(*overrides.items));
   if (overrides.max_time_s) set(tree, "experiment", "max_time_s", *overrides.max_time_s);
   if (overrides.pacing) set(tree, "experiment", "pacing", *overrides.pacing);
+  const std::string controller = controller_of(scenario, overrides);
+  if (overrides.controller || controller != agent::kPaper) set(tree, "controller", "library", controller);
   std::ostringstream text;
   text << tree << "\n";
   return text.str();

@@ -17,6 +17,8 @@ struct Overrides {
   std::optional<std::uint32_t> items;   ///< experiment.items
   std::optional<double> max_time_s;     ///< experiment.max_time_s
   std::optional<std::string> pacing;    ///< experiment.pacing
+  std::optional<std::string>
+      controller;  ///< controller.library, "paper" or a path from the working directory
 };
 
 /// The name of a scenario, which becomes part of a folder's name: its key `name`, without it its file's name
@@ -24,8 +26,14 @@ struct Overrides {
 /// @throws StartError when `name` has other letters than a-z, A-Z, 0-9, ._-, more than 64 of them, or none
 [[nodiscard]] std::string name_of(const runtime::TomlDocument& scenario);
 
-/// The text of the scenario with the changes, and its name, in it. Read again it gives the same values, to
-/// the last bit.
+/// A controller of the command line: "paper", empty, or the absolute form of a path from the working
+/// directory.
+[[nodiscard]] std::string absolute_controller(const std::string& given);
+/// The controller of the robots: that of the command line, else the scenario's. "paper" or an absolute path.
+[[nodiscard]] std::string controller_of(const runtime::TomlDocument& scenario, const Overrides& overrides);
+
+/// The text of the scenario with the changes, its name and its controller's absolute path in it. Read again
+/// it gives the same values, to the last bit.
 [[nodiscard]] std::string effective_text(const runtime::TomlDocument& scenario, const Overrides& overrides);
 
 }  // namespace caravan::deploy

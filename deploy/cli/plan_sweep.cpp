@@ -24,7 +24,8 @@ runtime::TomlDocument effective(const std::string& text, const SweepCommand& com
 
 experiment::SweepPlan plan_sweep(const SweepCommand& command) {
   const auto original = runtime::TomlDocument::load(command.scenario);
-  (void)check_tables(original);  // first, because only the original has the line numbers
+  // First, because only the original has the line numbers.
+  (void)check_tables(original, controller_of(original, command.overrides));
   experiment::SweepPlan plan{.scenario = name_of(original),
                              .scenario_text = effective_text(original, command.overrides),
                              .engine = command.engine,

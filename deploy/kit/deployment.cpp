@@ -27,7 +27,7 @@ constexpr auto kLookPeriod = 10ms;  // longest delay until the end of a process 
 
 fs::path write_scenario(const DeploymentOptions& options) {
   fs::path file = options.folder / "scenario.toml";
-  const std::string text = with_changes(options.scenario, options.changes);
+  const std::string text = with_changes(options.scenario, options.changes, options.controller);
   std::ofstream out{file};
   out << text << std::flush;
   if (!out) throw runtime::StartError{runtime::cannot_write(file, errno).what()};

@@ -24,6 +24,7 @@ namespace caravan::deploy {
 struct DeploymentOptions {
   std::filesystem::path scenario;            ///< TOML file
   std::string changes = {};                  ///< TOML that overrides it: `experiment.items = 10`
+  std::string controller = {};               ///< replaces `controller.library`; an absolute path
   std::filesystem::path folder = {};         ///< exists; receives the effective scenario and the logs
   std::filesystem::path binaries = {};       ///< of world_server etc.; empty: beside this program, or ../bin
   std::optional<std::uint32_t> domain = {};  ///< none: a free one

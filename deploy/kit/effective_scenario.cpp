@@ -23,9 +23,17 @@ void lay_over(toml::table& tree, const toml::table& changes) {
 
 }  // namespace
 
-std::string with_changes(const std::filesystem::path& scenario, const std::string& changes) {
+std::string with_changes(const std::filesystem::path& scenario, const std::string& changes,
+                         const std::string& controller) {
   toml::table tree = runtime::TomlDocument::load(scenario).tree();
   lay_over(tree, runtime::TomlDocument::parse(changes, "changes").tree());
+  if (!controller.empty()) {
+    if (!tree.contains("controller")) tree.insert("controller", toml::table{});
+    tree.get_as<toml::table>("controller")->insert_or_assign("library", controller);
+  }
+  if (toml::value<std::string>* library = tree["controller"]["library"].as_string();
+      library != nullptr && *library != "paper")
+    *library = std::filesystem::absolute(scenario.parent_path() / library->get()).lexically_normal();
   std::ostringstream text;
   text << tree << "\n";
   return text.str();

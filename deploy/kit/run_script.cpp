@@ -86,6 +86,7 @@ int run_script(const ScriptRequest& request, runtime::Loop& loop) {
   {
     Deployment deployment{{.scenario = script.scenario,
                            .changes = script.changes,
+                           .controller = request.controller,
                            .folder = folder,
                            .domain = request.domain,
                            .transport = request.transport,

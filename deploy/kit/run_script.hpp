@@ -16,6 +16,7 @@ struct ScriptRequest {
   std::filesystem::path script;
   std::optional<std::filesystem::path> out;    ///< for the logs; none: deployments/<script>-<time>
   std::optional<std::filesystem::path> junit;  ///< report file; none: junit.xml in the log folder
+  std::string controller;                      ///< absolute path; empty: the scenario's
   std::optional<std::uint32_t> domain;         ///< none: a free one
   runtime::Transport transport = runtime::Transport::kSharedMemory;
   bool check_only = false;

@@ -14,11 +14,14 @@
 namespace caravan::experiment {
 
 Engine::Engine(const runtime::TomlDocument& scenario)
-    : world_{world::load_world_config(scenario)}, medium_{radio::load_radio_config(scenario)} {
+    : world_{world::load_world_config(scenario)},
+      medium_{radio::load_radio_config(scenario)},
+      controllers_{scenario} {
   const runtime::RobotsTable robots = runtime::read_robots(scenario);
   wheel_limit_mps_ = robots.wheel_limit_mps;
   for (std::uint32_t robot = 1; robot <= robots.count; ++robot) {
-    agents_.emplace_back(agent::load_config(scenario, robot));
+    configs_.push_back(agent::load_config(scenario, robot));
+    agents_.push_back(controllers_.make_guarded(configs_.back()));
     observation_.members.push_back(robot);
     observation_.poses.push_back({.robot = robot});
     stations_.push_back({.robot = robot});
@@ -77,17 +80,20 @@ void Engine::sense() {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     inputs_[i].now = world_.now();
     inputs_[i].sensors = to_sensors(world_.sense(static_cast<std::uint32_t>(i + 1)));
+    inputs_[i].destination = controllers_.destination_in_sight(inputs_[i].sensors, configs_[i]);
   }
 }
 
 void Engine::answer() {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const auto robot = static_cast<std::uint32_t>(i + 1);
-    agent::Outputs outputs = agents_[i].step(inputs_[i]);
+    calls_.fetch_add(1, std::memory_order_release);
+    caravan::Outputs outputs = agents_[i].step(inputs_[i]);
+    calls_.fetch_add(1, std::memory_order_release);
     inputs_[i].heard.clear();
     commands_[i] = to_command(outputs, wheel_limit_mps_, refusals_);
     transmissions_[i] = to_transmission(robot, outputs);
-    if (outputs.reports) observation_.agent_reports.push_back(to_report(robot, outputs.report));
+    if (outputs.report) observation_.agent_reports.push_back(to_report(robot, *outputs.report));
   }
 }
 
@@ -107,6 +113,12 @@ Refusals Engine::refusals() const {
   all.frames_lost = drops_.lost;
   all.frames_queue_full = drops_.queue_full;
   return all;
+}
+
+std::string Engine::call_in_words(std::uint64_t calls) const {
+  const std::uint64_t call = calls / 2;
+  return "controller " + controllers_.name() + ", robot " + std::to_string(call % agents_.size() + 1) +
+         ", step " + std::to_string(call / agents_.size() + 1);
 }
 
 std::string Engine::digest() const { return pure::digest(world_.chain(), radio_chain_.value()); }

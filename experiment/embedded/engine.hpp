@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <span>
 #include <string>
@@ -9,7 +10,7 @@
 #include "experiment/metrics/observation.hpp"
 #include "experiment/metrics/run_facts.hpp"
 #include "radio_emulator/medium/medium.hpp"
-#include "robot_agent/core/agent.hpp"
+#include "robot_agent/controller/controllers.hpp"
 #include "runtime/config/toml_table.hpp"
 #include "runtime/pure/canonical_bytes.hpp"
 #include "runtime/pure/hash_chain.hpp"
@@ -27,6 +28,7 @@ class Engine {
 
   /// One step of world, agents and radio. @pre !finished()
   /// @return the observation of the step, valid until the next call
+  /// @throws runtime::ControllerFault, world::PhysicsError: no step can follow
   const Observation& step();
   /// The state after the last step, without reports: the observation that ends a run.
   const Observation& last();
@@ -40,6 +42,10 @@ class Engine {
   /// Bytes that the last step added to the world's and to the radio's hash chain; valid until the next step.
   [[nodiscard]] std::span<const std::uint8_t> world_link() const { return world_.chain_link(); }
   [[nodiscard]] std::span<const std::uint8_t> radio_link() const { return radio_link_.view(); }
+  /// Odd while a controller is called: for StepWatch. From any thread.
+  [[nodiscard]] const std::atomic<std::uint64_t>& calls() const { return calls_; }
+  /// What call number `calls` was.
+  [[nodiscard]] std::string call_in_words(std::uint64_t calls) const;
   [[nodiscard]] const TimeSplit& time_split() const { return time_split_; }
   [[nodiscard]] Refusals refusals() const;
 
@@ -52,8 +58,11 @@ class Engine {
   world::World world_;
   radio::MediumConfig medium_;
   double wheel_limit_mps_ = 0.0;
-  std::vector<agent::Agent> agents_;  // [0] is robot 1, as in all that follow
-  std::vector<agent::Inputs> inputs_;
+  agent::Controllers controllers_;
+  std::vector<agent::Config> configs_;  // [0] is robot 1, as in all that follow
+  std::vector<runtime::GuardedController> agents_;
+  std::atomic<std::uint64_t> calls_{0};
+  std::vector<caravan::Inputs> inputs_;
   std::vector<std::optional<world::Command>> commands_;
   std::vector<radio::Station> stations_;
   std::vector<radio::Transmission> transmissions_;

@@ -2,8 +2,10 @@
 #include "experiment/embedded/run_embedded.hpp"
 
 #include <cstdio>
+#include <cstdlib>
 
 #include "experiment/embedded/engine.hpp"
+#include "experiment/embedded/step_watch.hpp"
 #include "experiment/embedded/stopwatch.hpp"
 #include "experiment/metrics/run_record.hpp"
 #include "runtime/config/write_error.hpp"
@@ -76,6 +78,14 @@ int run_embedded(const RunRequest& request) {
     end.wall_time_s = pace.wall_time_s();
     return end;
   };
+  // The records are closed on the watch's thread while this one is kept inside the controller's step.
+  const StepWatch watch{engine.calls(), [&](std::uint64_t call) {
+                          RunEnd end = so_far();
+                          end.failure = engine.call_in_words(call) + ": has not returned for " +
+                                        std::to_string(StepWatch::kLongestStep.count()) + " s";
+                          std::fprintf(stderr, "%s: the run ends here\n", end.failure.c_str());
+                          std::_Exit(record.close(end));
+                        }};
   bool stopped = false;
   bool told = false;
   std::string failure;
@@ -92,6 +102,8 @@ int run_embedded(const RunRequest& request) {
   } catch (const runtime::WriteError& error) {
     failure = error.what();
     record.observe(engine.last());
+  } catch (const runtime::ControllerFault& fault) {
+    failure = fault.what();
   } catch (const world::PhysicsError& error) {
     failure = error.what();
   }

@@ -57,6 +57,8 @@ const std::array kMetrics{
            .of_run = [](const RunView& run) -> MetricValue { return run.facts.scenario; }, .about = About::kSetUp},
     Metric{.key = "engine", .meaning = "`dds` or `embedded`",
            .of_run = [](const RunView& run) -> MetricValue { return run.facts.engine; }, .about = About::kSetUp},
+    Metric{.key = "controller", .meaning = "`paper`, or the name that the controller's library gives itself",
+           .of_run = [](const RunView& run) -> MetricValue { return run.facts.controller; }, .about = About::kSetUp},
     Metric{.key = "mode", .meaning = "`none`, `partial` or `full`",
            .of_run = [](const RunView& run) -> MetricValue { return run.facts.mode; }, .about = About::kSetUp},
     Metric{.key = "seed", .meaning = "seed of the scenario",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <caravan/types.hpp>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -22,9 +23,11 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
-enum class Mode : std::uint8_t { kExplore, kTransport };
-enum class Activity : std::uint8_t { kIdle, kDriving, kAvoiding, kExchanging };
-enum class Origin : std::uint8_t { kNone, kFound, kReceived };
+using caravan::Activity;
+using caravan::Event;
+using caravan::Exchange;
+using caravan::Mode;
+using caravan::Origin;
 
 struct TruePose {
   std::uint32_t robot = 0;
@@ -42,21 +45,6 @@ struct ItemEvent {
   enum class Kind : std::uint8_t { kPickUp, kDelivery };
   Kind kind = Kind::kPickUp;
   std::uint32_t robot = 0;
-};
-
-/// One communication attempt as reported by one of its two robots, from stopping to resuming.
-struct Exchange {
-  std::uint32_t partner = 0;
-  std::uint32_t session = 0;  ///< 0: given up before a number was known
-  bool primary = false;
-  bool completed = false;
-  Time began{0};
-  Time ended{0};
-};
-
-struct Event {
-  std::string name;
-  std::string detail;
 };
 
 /// What one agent reports at the stamp; the report applies until its next one.

@@ -11,9 +11,10 @@ namespace caravan::experiment {
 
 /// The facts of a run that are known before it begins.
 struct RunFacts {
-  std::string scenario;  ///< its name
-  std::string engine;    ///< dds, embedded
-  std::string mode;      ///< none, partial, full
+  std::string scenario;              ///< its name
+  std::string engine;                ///< dds, embedded
+  std::string controller = "paper";  ///< or what its library calls itself
+  std::string mode;                  ///< none, partial, full
   std::uint64_t seed = 1;
   std::uint32_t robots = 0;
   std::uint32_t items = 0;  ///< deliveries that end it; 0: only max_time ends it

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <caravan/types.hpp>
 #include <chrono>
 #include <compare>
 #include <cstdint>
@@ -77,14 +78,9 @@ struct Wheels {
   bool operator==(const Wheels&) const = default;
 };
 
-enum class Mode : std::uint8_t { kExplore, kTransport };  ///< has the robot a path?
-enum class Activity : std::uint8_t {
-  kIdle,
-  kDriving,
-  kAvoiding,
-  kExchanging
-};                                                              ///< what this step's time goes to
-enum class Origin : std::uint8_t { kNone, kFound, kReceived };  ///< where its first path came from
+using caravan::Activity;  ///< what this step's time goes to
+using caravan::Mode;      ///< has the robot a path?
+using caravan::Origin;    ///< where its first path came from
 
 /// One communication attempt, from stopping to resuming.
 struct Exchange {

@@ -4,6 +4,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <utility>
 
 #include "runtime/config/start_error.hpp"
 #include "runtime/process/run_process.hpp"
@@ -18,22 +20,26 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto kWatchPeriod = 500ms;  // how late the radio deadline may be noticed
+constexpr auto kLongStep = 2s;        // of a controller
+constexpr auto kLongestStep = 10s;
 constexpr auto kSayWaitingAfter = 1s;
 constexpr auto kSayWaitingAgain = 60s;
 
 }  // namespace
 
-AgentShell::AgentShell(const std::vector<Config>& configs, const runtime::BusConfig& bus, runtime::Loop& loop)
+AgentShell::AgentShell(const Controllers& controllers, const std::vector<Config>& configs,
+                       const runtime::BusConfig& bus, runtime::Loop& loop)
     : loop_{loop},
       lease_s_{bus.lease_s},
       began_{std::chrono::steady_clock::now()},
+      controllers_{controllers},
       bus_{bus, [this](const Discovery& news) {
              if (news.kind != Discovery::Kind::kJoined) mailbox_.post(news);
            }} {
   clash_.emplace(bus_.id(), bus_.identity(), bus.lease_s, began_);
   for (const Config& config : configs) {
     robot_of_topic_[idl::name_for(idl::kCommand, config.id.value)] = config.id.value;
-    agents_.emplace_back(config, bus_);
+    agents_.emplace_back(controllers_, config, bus_);
   }
   // Not under the lock: making a reader waits for DDS's own locks, whose holders may be waiting for ours in a
   // callback.
@@ -53,8 +59,11 @@ void AgentShell::make_readers(Hosted& one) {
 
 void AgentShell::hear(Hosted& one, const msg::RadioReceive& sample, const Sender& sender) {
   const std::lock_guard lock{mutex_};
-  if (one.radio.claim(sender) != Tenure::Standing::kRefused)
-    return one.agent.hear(sample, !clash_->must_be_silent());
+  if (one.radio.claim(sender) != Tenure::Standing::kRefused) {
+    one.agent.hear(sample, !clash_->must_be_silent());
+    if (!one.agent.fault().empty()) loop_.notify();
+    return;
+  }
   bus_.refuse(sender, idl::kRadioReceive, one.agent.robot());
   one.radio.keep(sender, [this, &one, sample] { one.agent.hear(sample, !clash_->must_be_silent()); });
 }
@@ -72,6 +81,7 @@ void AgentShell::sense(Hosted& one, const msg::SensorFrame& frame, const Sender&
   }
   if (standing == Tenure::Standing::kBegins) one.agent.meet_provider();
   one.agent.sense(frame, !clash_->must_be_silent());
+  if (!one.agent.fault().empty()) loop_.notify();
 }
 
 void AgentShell::read_mailbox(Wall now) {
@@ -166,11 +176,48 @@ AgentShell::Wall AgentShell::next_deadline(Wall now) const {
   return deadline;
 }
 
+std::unique_lock<std::timed_mutex> AgentShell::lock_or_end() {
+  std::unique_lock lock{mutex_, kWatchPeriod};
+  // Periods and not a clock: a process that was stopped, by a debugger for instance, has lost no time.
+  for (auto waited = kWatchPeriod; !lock.owns_lock(); waited += kWatchPeriod) {
+    const auto busy = std::find_if(agents_.begin(), agents_.end(),
+                                   [](const Hosted& one) { return one.agent.is_stepping(); });
+    if (busy != agents_.end() && waited == kLongStep) {
+      spdlog::warn("controller {}, robot {}: a step has not returned for {} s", controllers_.name(),
+                   busy->agent.robot(), kLongStep / 1s);
+    }
+    if (busy != agents_.end() && waited >= kLongestStep) {
+      spdlog::critical("controller {}, robot {}: a step has not returned for {} s: this process ends",
+                       controllers_.name(), busy->agent.robot(), waited / 1s);
+      spdlog::shutdown();
+      std::_Exit(runtime::kFailed);  // its thread cannot be ended otherwise
+    }
+    (void)lock.try_lock_for(kWatchPeriod);
+  }
+  return lock;
+}
+
+bool AgentShell::has_failed() const {
+  return std::any_of(agents_.begin(), agents_.end(),
+                     [](const Hosted& one) { return !one.agent.fault().empty(); });
+}
+
+void AgentShell::halt_all() {
+  for (Hosted& one : agents_) {
+    if (!one.agent.fault().empty()) spdlog::error("{}", one.agent.fault());
+    one.agent.halt();
+  }
+}
+
 int AgentShell::run() {
   for (;;) {
     Wall deadline;
     {
-      const std::lock_guard lock{mutex_};
+      const auto lock = lock_or_end();
+      if (has_failed()) {
+        halt_all();
+        return runtime::kFailed;
+      }
       const Wall now = std::chrono::steady_clock::now();
       watch(now);
       deadline = next_deadline(now);
@@ -179,9 +226,8 @@ int AgentShell::run() {
       if (loop_.was_suspended_for(lease_s_)) throw runtime::BeginAnew{"suspended for longer than the lease"};
       continue;
     }
-    const std::lock_guard lock{mutex_};
-    if (clash_->must_be_silent()) return runtime::kDone;
-    for (Hosted& one : agents_) one.agent.halt();
+    const auto lock = lock_or_end();
+    if (!clash_->must_be_silent()) halt_all();
     return runtime::kDone;
   }
 }

@@ -26,12 +26,14 @@ namespace caravan::agent {
 class AgentShell {
  public:
   /// @param configs one for each robot, at least one, no robot twice
-  AgentShell(const std::vector<Config>& configs, const runtime::BusConfig& bus, runtime::Loop& loop);
+  AgentShell(const Controllers& controllers, const std::vector<Config>& configs,
+             const runtime::BusConfig& bus, runtime::Loop& loop);
   ~AgentShell();
   AgentShell(const AgentShell&) = delete;
   AgentShell& operator=(const AgentShell&) = delete;
 
-  /// Until the loop is told to stop; then leaves the robots with their wheels at zero. @return the exit code
+  /// Until the loop is told to stop, or a controller fails; then leaves the robots with their wheels at zero.
+  /// A step that does not return ends the process from here. @return the exit code
   /// @throws StartError when another process holds one of the robots
   int run();
 
@@ -40,7 +42,8 @@ class AgentShell {
 
   /// One of the agents, and who may speak to it.
   struct Hosted {
-    Hosted(const Config& config, runtime::Bus& bus) : agent{config, bus} {}
+    Hosted(const Controllers& controllers, const Config& config, runtime::Bus& bus)
+        : agent{controllers, config, bus} {}
     HostedAgent agent;
     runtime::Tenure provider;  // of sensor frames: the world or a bridge
     runtime::Tenure radio;
@@ -49,6 +52,11 @@ class AgentShell {
   void make_readers(Hosted& one);
   void hear(Hosted& one, const caravan_interfaces::msg::RadioReceive& sample, const runtime::Sender& sender);
   void sense(Hosted& one, const caravan_interfaces::msg::SensorFrame& frame, const runtime::Sender& sender);
+  /// Takes the lock. While a controller keeps it in a step, says so and at last ends the process.
+  [[nodiscard]] std::unique_lock<std::timed_mutex> lock_or_end();
+  /// A controller has failed.
+  [[nodiscard]] bool has_failed() const;
+  void halt_all();
   void watch(Wall now);
   void read_mailbox(Wall now);
   void meet(const runtime::Discovery& writer, Wall now);
@@ -67,7 +75,9 @@ class AgentShell {
   const double lease_s_;
   const Wall began_;
 
-  std::mutex mutex_;
+  const Controllers& controllers_;
+
+  std::timed_mutex mutex_;
   std::deque<Hosted> agents_;                            // callbacks refer to them
   std::map<std::string, std::uint32_t> robot_of_topic_;  // commands of these robots are ours to write
   std::optional<runtime::Clash> clash_;

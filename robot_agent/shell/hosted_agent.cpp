@@ -21,24 +21,31 @@ namespace {
 constexpr auto kRadioPatience = std::chrono::seconds{1};
 constexpr std::size_t kMostHeard = 4096;  // frames between two steps, when no sensor frame comes for long
 
-/// In the paper's form; with --log-level trace only.
+std::string in_words(const std::vector<std::uint8_t>& bytes) {
+  return std::visit(pure::Overload{[](const DecodeError&) { return std::string{"malformed"}; },
+                                   [](const auto& message) { return to_text(Message{message}); }},
+                    decode(bytes));
+}
+
+std::string in_hexadecimal(const std::vector<std::uint8_t>& bytes) {
+  return fmt::format("{:02x}", fmt::join(bytes, ""));
+}
+
+/// With --log-level trace only; the paper's frames in the paper's form.
 template <typename AnyFrame>
-void log_frames(const char* what, Time now, const std::vector<AnyFrame>& frames) {
+void log_frames(const char* what, Time now, const std::vector<AnyFrame>& frames, bool are_the_papers) {
   if (!spdlog::should_log(spdlog::level::trace)) return;
   for (const AnyFrame& frame : frames) {
-    const std::string text =
-        std::visit(pure::Overload{[](const DecodeError&) { return std::string{"malformed"}; },
-                                  [](const auto& message) { return to_text(Message{message}); }},
-                   decode(frame.bytes));
     spdlog::trace("{} t_s={:.3f} channel={} {}", what, std::chrono::duration<double>(now).count(),
-                  frame.channel.value, text);
+                  frame.channel, are_the_papers ? in_words(frame.bytes) : in_hexadecimal(frame.bytes));
   }
 }
 
 }  // namespace
 
-HostedAgent::HostedAgent(const Config& config, runtime::Bus& bus)
-    : config_{config},
+HostedAgent::HostedAgent(const Controllers& controllers, const Config& config, runtime::Bus& bus)
+    : controllers_{controllers},
+      config_{config},
       commands_{bus.writer<msg::RobotCommandPubSubType>(idl::kCommand, robot())},
       transmits_{bus.writer<msg::RadioTransmitPubSubType>(idl::kRadioTransmit, robot())},
       telemetry_{bus.writer<msg::TelemetryPubSubType>(idl::kTelemetry, robot())} {}
@@ -49,7 +56,11 @@ bool HostedAgent::follow_session(std::uint64_t session) {
   if (session == session_) return true;
   spdlog::info("session={} robot={}: starting from the initial state", session, robot());
   session_ = session;
-  agent_.emplace(config_);
+  try {
+    controller_.emplace(controllers_.make_guarded(config_));
+  } catch (const runtime::StartError& error) {
+    break_off(error.what());
+  }
   now_ = heard_until_ = Time{-1};
   heard_.clear();
   waiting_.reset();
@@ -62,7 +73,7 @@ bool HostedAgent::follow_session(std::uint64_t session) {
 
 void HostedAgent::sense(const msg::SensorFrame& frame, bool may_answer) {
   const Time stamp = idl::to_time(frame.stamp());
-  if (!follow_session(frame.session()) || stamp <= now_) return;
+  if (!fault_.empty() || !follow_session(frame.session()) || stamp <= now_) return;
   if (!may_answer) {
     held_ = frame;
     return;
@@ -82,42 +93,59 @@ void HostedAgent::hear(const msg::RadioReceive& sample, bool may_answer) {
     return;
   }
   take_in(sample);
-  if (waiting_ && may_answer && heard_until_ >= idl::to_time(waiting_->stamp())) step(*waiting_);
+  if (waiting_ && may_answer && heard_until_ >= idl::to_time(waiting_->stamp()))
+    step(msg::SensorFrame{*waiting_});
 }
 
 void HostedAgent::take_in(const msg::RadioReceive& sample) {
   for (const msg::ReceivedFrame& frame : sample.frames()) {
     if (heard_.size() >= kMostHeard) break;
-    heard_.push_back({Channel{frame.channel()}, frame.bytes(), frame.signal_strength_dbm()});
+    heard_.push_back({frame.channel(), frame.bytes(), frame.signal_strength_dbm()});
   }
   heard_until_ = std::max(heard_until_, idl::to_time(sample.stamp()));
 }
 
 void HostedAgent::step(const msg::SensorFrame& frame) {
+  if (!fault_.empty()) return;
   const auto began = std::chrono::steady_clock::now();
   now_ = idl::to_time(frame.stamp());
-  log_frames("hears", now_, heard_);
-  Outputs outputs = agent_->step({.now = now_, .sensors = to_core(frame), .heard = std::move(heard_)});
-  heard_.clear();
+  waiting_.reset();
+  log_frames("hears", now_, heard_, controllers_.is_paper());
+  caravan::Inputs inputs{
+      .now = now_, .sensors = to_sensors(frame), .heard = std::exchange(heard_, {}), .destination = {}};
+  inputs.destination = controllers_.destination_in_sight(inputs.sensors, config_);
+  stepping_ = true;
+  caravan::Outputs outputs;
+  try {
+    outputs = controller_->step(inputs);
+  } catch (const runtime::ControllerFault& fault) {
+    stepping_ = false;
+    return break_off(fault.what());
+  }
+  stepping_ = false;
   compute_ += std::chrono::steady_clock::now() - began;
   answer(outputs, frame);
-  waiting_.reset();
 }
 
-void HostedAgent::answer(Outputs& outputs, const msg::SensorFrame& frame) {
-  if (outputs.reports) {
-    msg::Telemetry telemetry = to_telemetry(outputs.report);
+void HostedAgent::break_off(const std::string& fault) {
+  fault_ = fault;
+  halt();
+}
+
+void HostedAgent::answer(caravan::Outputs& outputs, const msg::SensorFrame& frame) {
+  if (outputs.report) {
+    msg::Telemetry telemetry = to_telemetry(*outputs.report);
     telemetry.stamp(frame.stamp());
     telemetry.session(session_);
     telemetry.compute_s(std::chrono::duration<double>(compute_).count());
     if (!telemetry_.write(telemetry)) ++refused_writes_;
   }
   msg::RobotCommand command = to_command(outputs);
-  command.reported(outputs.reports);
+  command.reported(outputs.report.has_value());
   command.stamp(frame.stamp());
   command.session(session_);
   if (!commands_.write(command)) ++refused_writes_;
-  log_frames("sends", now_, outputs.frames);
+  log_frames("sends", now_, outputs.frames, controllers_.is_paper());
   msg::RadioTransmit transmit = to_transmit(outputs);
   transmit.stamp(frame.stamp());
   transmit.session(session_);
@@ -133,7 +161,7 @@ void HostedAgent::catch_up(Wall now) {
   if (waiting_ && now >= waiting_until_) {
     spdlog::warn("radio due but silent for 1 s: stepping without it, robot={} count={}", robot(),
                  ++radio_timeouts_);
-    step(*waiting_);
+    step(msg::SensorFrame{*waiting_});
   }
 }
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "idl/robot_types.hpp"
-#include "robot_agent/core/agent.hpp"
+#include "robot_agent/controller/controllers.hpp"
 #include "runtime/bus/bus.hpp"
 
 namespace caravan::agent {
@@ -22,7 +23,7 @@ class HostedAgent {
   using Wall = std::chrono::steady_clock::time_point;
 
   /// @throws StartError when DDS refuses a writer
-  HostedAgent(const Config& config, runtime::Bus& bus);
+  HostedAgent(const Controllers& controllers, const Config& config, runtime::Bus& bus);
 
   /// Its frames come from another participant from now on, whose session may have any number.
   void meet_provider() { is_new_provider_ = true; }
@@ -36,25 +37,33 @@ class HostedAgent {
   [[nodiscard]] std::uint32_t robot() const { return config_.id.value; }
   [[nodiscard]] bool has_world() const { return session_ != 0; }
   [[nodiscard]] std::uint64_t refused_writes() const { return refused_writes_; }
+  /// What ended the controller; empty: nothing. It is not called again, and the robot's wheels are at zero.
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+  /// The controller is called at present. From any thread, without the shell's lock.
+  [[nodiscard]] bool is_stepping() const { return stepping_; }
 
  private:
   /// False: a frame of a session that is over. A newer session starts the agent anew.
   [[nodiscard]] bool follow_session(std::uint64_t session);
   void take_in(const caravan_interfaces::msg::RadioReceive& sample);
   void step(const caravan_interfaces::msg::SensorFrame& frame);
-  void answer(Outputs& outputs, const caravan_interfaces::msg::SensorFrame& frame);
+  void break_off(const std::string& fault);
+  void answer(caravan::Outputs& outputs, const caravan_interfaces::msg::SensorFrame& frame);
 
-  Config config_;
+  const Controllers& controllers_;
+  const Config config_;
   std::uint64_t session_ = 0;
   bool is_new_provider_ = true;
-  std::optional<Agent> agent_;  // of this session
-  Time now_{-1};                // stamp of the last frame stepped on
-  std::vector<ReceivedFrame> heard_;
+  std::optional<runtime::GuardedController> controller_;  // of this session
+  Time now_{-1};                                          // stamp of the last frame stepped on
+  std::vector<caravan::ReceivedFrame> heard_;
   Time heard_until_{-1};                                         // stamp of the newest RadioReceive
   std::optional<caravan_interfaces::msg::RadioReceive> early_;   // of a session without a frame yet
   std::optional<caravan_interfaces::msg::SensorFrame> waiting_;  // for its radio
   Wall waiting_until_{};
   std::optional<caravan_interfaces::msg::SensorFrame> held_;  // the newest that it may not answer yet
+  std::string fault_;
+  std::atomic<bool> stepping_ = false;
   std::uint64_t radio_timeouts_ = 0;
   std::uint64_t refused_writes_ = 0;
   std::chrono::nanoseconds compute_{0};

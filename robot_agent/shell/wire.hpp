@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <caravan/types.hpp>
+
 #include "idl/robot_types.hpp"
-#include "robot_agent/core/types.hpp"
 
 namespace caravan::agent {
 
-/// Between the agent's values and the wire. `stamp` and `session` of a sample are the caller's to set.
-[[nodiscard]] Sensors to_core(const caravan_interfaces::msg::SensorFrame& frame);
-[[nodiscard]] caravan_interfaces::msg::RobotCommand to_command(const Outputs& outputs);
+/// Between a controller's values and the wire. `stamp` and `session` of a sample are the caller's to set.
+[[nodiscard]] caravan::Sensors to_sensors(const caravan_interfaces::msg::SensorFrame& frame);
+[[nodiscard]] caravan_interfaces::msg::RobotCommand to_command(const caravan::Outputs& outputs);
 /// Takes the frames' bytes out of `outputs`.
-[[nodiscard]] caravan_interfaces::msg::RadioTransmit to_transmit(Outputs& outputs);
-[[nodiscard]] caravan_interfaces::msg::Telemetry to_telemetry(const Report& report);
+[[nodiscard]] caravan_interfaces::msg::RadioTransmit to_transmit(caravan::Outputs& outputs);
+[[nodiscard]] caravan_interfaces::msg::Telemetry to_telemetry(const caravan::Report& report);
 
 }  // namespace caravan::agent

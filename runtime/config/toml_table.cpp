@@ -12,8 +12,8 @@
 namespace caravan::runtime {
 namespace {
 
-constexpr std::array<std::string_view, 8> kRootKeys = {"name",  "seed",      "world",      "robots",
-                                                       "radio", "algorithm", "experiment", "bridge"};
+constexpr std::array<std::string_view, 9> kRootKeys = {
+    "name", "seed", "world", "robots", "radio", "algorithm", "experiment", "bridge", "controller"};
 
 std::string at_line(const std::string& file, const toml::node* node) {
   if (node == nullptr || node->source().begin.line == 0) return file;
@@ -65,6 +65,23 @@ std::optional<std::array<double, 2>> pair_in(const toml::node& node, Range range
   return std::array<double, 2>{*x, *y};
 }
 
+std::optional<TomlTable::Value> value_in(const toml::node& node) {
+  if (const auto flag = node.value_exact<bool>()) return *flag;
+  if (const auto whole = node.value_exact<std::int64_t>()) return *whole;
+  if (const auto real = node.value_exact<double>()) return *real;
+  if (const auto text = node.value_exact<std::string>()) return *text;
+  const toml::array* array = node.as_array();
+  if (array == nullptr) return std::nullopt;
+  std::vector<double> numbers;
+  for (const toml::node& element : *array) {
+    std::string wrong;
+    const auto number = number_in(element, {}, wrong);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
 }  // namespace
 
 TomlTable::TomlTable(std::string file, std::string name, const toml::table* table)
@@ -73,6 +90,18 @@ TomlTable::TomlTable(std::string file, std::string name, const toml::table* tabl
 const toml::node* TomlTable::find(std::string_view key) {
   asked_.emplace(key);
   return table_ == nullptr ? nullptr : table_->get(key);
+}
+
+std::map<std::string, TomlTable::Value> TomlTable::rest() {
+  std::map<std::string, Value> values;
+  if (table_ == nullptr) return values;
+  for (const auto& [key, node] : *table_) {
+    if (!asked_.emplace(key.str()).second) continue;
+    const auto value = value_in(node);
+    if (!value) fail_at(&node, key.str(), "must be a number, a text, true or false, or a list of numbers");
+    values.emplace(key.str(), *value);
+  }
+  return values;
 }
 
 bool TomlTable::has(std::string_view key) const { return table_ != nullptr && table_->contains(key); }

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "runtime/config/start_error.hpp"
@@ -57,6 +59,11 @@ class TomlTable {
   void read(std::string_view key, std::vector<double>& value, Range range = {});
   /// One of the given words; sets `value` to its index.
   void read_choice(std::string_view key, std::size_t& value, std::initializer_list<std::string_view> words);
+
+  using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
+  /// Every key that nobody has asked for yet, for a reader who will refuse unknown keys itself.
+  /// @throws StartError for a value of another kind
+  [[nodiscard]] std::map<std::string, Value> rest();
 
   [[nodiscard]] bool has(std::string_view key) const;
   /// The sub-table `[name.key]`; empty when absent.

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
+#include <caravan/robot.hpp>
 #include <cstdint>
 #include <numbers>
 
@@ -19,17 +19,12 @@ inline constexpr double kTrack_m = 0.330;
 inline constexpr double kWheelRadius_m = 0.0975;
 inline constexpr double kWheelLimit_mps = 1.6;  ///< rim speed
 
-/// Position and direction of a sonar in frame B (origin on the axle, x forward, y left).
-struct SonarMount {
-  double x_m = 0.0;
-  double y_m = 0.0;
-  double heading_rad = 0.0;  ///< of its axis
-};
+using caravan::SonarMount;
 [[nodiscard]] constexpr SonarMount sonar_mount(double x_mm, double y_mm, double heading_degrees) {
   return {x_mm / 1000.0, y_mm / 1000.0, heading_degrees * std::numbers::pi / 180.0};
 }
 
-inline constexpr std::size_t kSonarCount = 16;
+using caravan::kSonarCount;
 /// Two arrays of eight: 0 .. 7 ahead from left to right, 8 .. 15 behind from right to left (ARIA's p3dx.p).
 inline constexpr std::array<SonarMount, kSonarCount> kSonarMounts{
     sonar_mount(69, 136, 90),      sonar_mount(114, 119, 50),    sonar_mount(148, 78, 30),

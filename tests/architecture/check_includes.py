@@ -8,6 +8,7 @@ import sys
 
 # The target of an include: a kind of outside header or a folder of the project.
 STD, POSIX, EIGEN, ODE, DDS = "std posix Eigen ode dds".split()
+CONTROLLER = "controller"  # the public headers: what a controller outside of this tree includes
 ROBOT_TYPES, TRUTH_TYPES, GENERATED = "robot-types truth-types generated".split()
 TOML, JSON, LOG, CLI, GTEST = "toml++ json spdlog CLI11 gtest".split()
 CONFIG = ["runtime/config", "runtime/scenario", "runtime/pure"]
@@ -15,7 +16,9 @@ PROCESS = [STD, POSIX, LOG, "runtime", "idl"]
 
 # Folder -> what its files may include besides their own folder. The longest matching folder decides.
 ALLOWED = {
-    "runtime/pure": [STD],
+    "runtime/controller/include": [STD, CONTROLLER],
+    "runtime/controller": [STD, POSIX, CONTROLLER, "runtime/config"],
+    "runtime/pure": [STD, CONTROLLER],
     "runtime/config": [STD, TOML, "runtime/pure"],
     "runtime/scenario": [STD, "runtime/config", "runtime/pure"],
     "runtime/trace": [STD, "runtime/config"],
@@ -24,9 +27,10 @@ ALLOWED = {
     "runtime/host": [STD, POSIX, "runtime/bus", "runtime/config"],
     "runtime/control": [STD, LOG, TRUTH_TYPES, "runtime/pure"],
     "idl": [STD, ROBOT_TYPES, TRUTH_TYPES, GENERATED],
-    "robot_agent/core": [STD, EIGEN, "runtime/pure"],
+    "robot_agent/core": [STD, EIGEN, CONTROLLER, "runtime/pure"],
     "robot_agent/config": [STD, EIGEN, *CONFIG, "robot_agent/core"],
-    "robot_agent": [*PROCESS, EIGEN, DDS, ROBOT_TYPES, "robot_agent"],
+    "robot_agent/controller": [STD, EIGEN, CONTROLLER, "runtime/config", "runtime/controller", "robot_agent/core", "robot_agent/config"],
+    "robot_agent": [*PROCESS, CONTROLLER, EIGEN, DDS, ROBOT_TYPES, "robot_agent"],
     "world_server/physics": [STD, ODE, *CONFIG, "world_server"],
     "world_server/config": [STD, *CONFIG, "world_server"],
     "world_server/shell": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "world_server"],
@@ -39,9 +43,9 @@ ALLOWED = {
     "hardware_bridge/config": [STD, *CONFIG, "hardware_bridge/core"],
     "hardware_bridge": [*PROCESS, DDS, ROBOT_TYPES, "hardware_bridge"],
     "experiment": [STD, "runtime/config", "runtime/process", "runtime/bus/transport.hpp", "experiment/metrics"],
-    "experiment/metrics": [STD, POSIX, JSON, "runtime/config", "runtime/pure"],
-    "experiment/embedded": [STD, EIGEN, *CONFIG, "runtime/process", "runtime/trace", "experiment/metrics",
-                            "experiment/run_request.hpp", "robot_agent/core", "robot_agent/config", "world_server",
+    "experiment/metrics": [STD, POSIX, JSON, CONTROLLER, "runtime/config", "runtime/pure"],
+    "experiment/embedded": [STD, EIGEN, CONTROLLER, *CONFIG, "runtime/process", "runtime/trace", "experiment/metrics",
+                            "experiment/run_request.hpp", "robot_agent/controller", "robot_agent/core", "robot_agent/config", "runtime/controller", "world_server",
                             "radio_emulator/medium", "radio_emulator/config"],
     "experiment/trace": [STD, JSON, "runtime/config", "runtime/pure", "runtime/trace", "runtime/process", "experiment/metrics",
                          "experiment/run_request.hpp"],
@@ -54,13 +58,13 @@ ALLOWED = {
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
     "deploy/doctor": [STD, POSIX, "runtime"],
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/host", "runtime/bus/transport.hpp", "deploy",
-                   "experiment", "robot_agent/config", "robot_agent/core", "world_server", "radio_emulator/config",
+                   "experiment", "robot_agent/config", "robot_agent/controller", "robot_agent/core", "world_server", "radio_emulator/config",
                    "radio_emulator/medium", "hardware_bridge/config"],
 }
 SHELLS = ("robot_agent/shell", "world_server/shell", "radio_emulator/shell", "hardware_bridge/shell")
 
 # A core is a function of values: no input other than its arguments is allowed.
-CORES = ("robot_agent/core", "radio_emulator/medium", "hardware_bridge/core", "world_server/physics", "world_server/barrier", "world_server/control",
+CORES = ("runtime/controller/include", "robot_agent/core", "radio_emulator/medium", "hardware_bridge/core", "world_server/physics", "world_server/barrier", "world_server/control",
          "world_server/referee", "world_server/sensors", "world_server/shapes", "world_server/starts",
          "world_server/world.cpp", "world_server/world.hpp", "world_server/types.hpp", "runtime/pure")
 NOT_IN_A_CORE = {"thread", "mutex", "condition_variable", "future", "atomic", "fstream", "iostream", "filesystem",
@@ -73,7 +77,7 @@ NAMES_FOR_ROBOTS = re.compile(r"idl/(robot|clock)_types\.hpp")
 NAMES_OF_TRUTH = re.compile(r"idl/(world|control)_types\.hpp")
 GENERATED_HEADERS = re.compile(r"(robot|stamp|clock|world|control)(PubSubTypes)?\.h")
 POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|dlfcn|poll|termios|sched|pthread|signal|dirent|spawn|netdb|ifaddrs|arpa/.*|netinet/.*|pwd)\.h$")
-OUTSIDE = {"Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr": DDS, "toml++": TOML,
+OUTSIDE = {"caravan": CONTROLLER, "Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr": DDS, "toml++": TOML,
            "nlohmann": JSON, "spdlog": LOG, "CLI": CLI, "gtest": GTEST}
 
 

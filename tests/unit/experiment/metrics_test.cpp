@@ -170,8 +170,8 @@ TEST(MetricsJson, HasExactlyTheKeysThatToolsRelyOnAndThoseAddedSince) {
 
   EXPECT_THAT(keys_of(nlohmann::json::parse(text)),
               testing::UnorderedElementsAre(
-                  "scenario", "engine", "mode", "seed", "robots", "ended", "completed", "disturbed",
-                  "interrupted", "failure", "items_delivered", "sim_time_s", "wall_time_s",
+                  "scenario", "engine", "controller", "mode", "seed", "robots", "ended", "completed",
+                  "disturbed", "interrupted", "failure", "items_delivered", "sim_time_s", "wall_time_s",
                   "real_time_factor", "digest", "round_trip_mean_s", "routes", "exchanges",
                   "exchanges.completed", "exchanges.failed", "exchanges.mean_duration_s", "contacts",
                   "contacts.robot_robot", "contacts.robot_static", "commands", "commands.refused",

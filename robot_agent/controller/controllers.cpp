@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "robot_agent/controller/controllers.hpp"
+
+#include "robot_agent/controller/paper_controller.hpp"
+#include "runtime/controller/library.hpp"
+#include "runtime/controller/make.hpp"
+
+namespace caravan::agent {
+namespace fs = std::filesystem;
+
+std::string controller_in(const runtime::TomlDocument& scenario) {
+  std::string library = kPaper;
+  runtime::TomlTable table = scenario.table("controller");
+  table.read("library", library);
+  if (library == kPaper) return library;
+  if (library.empty()) table.fail("library", "must be \"paper\" or the path of a shared library");
+  return fs::absolute(fs::path{scenario.file()}.parent_path() / library).lexically_normal();
+}
+
+Controllers::Controllers(const runtime::TomlDocument& scenario, const std::string& library)
+    : scenario_{scenario} {
+  if (library != kPaper) {
+    library_ = &runtime::load_controller(library);
+    name_ = library_->name;
+    return;
+  }
+  runtime::TomlTable table = scenario_.table("controller");
+  table.read("library", name_);
+  table.refuse_unknown();
+  name_ = kPaper;
+}
+
+std::unique_ptr<Controller> Controllers::make(const Config& config) const {
+  if (library_ == nullptr) return std::make_unique<PaperController>(config);
+  runtime::TomlTable table = scenario_.table("controller");
+  std::string library;
+  table.read("library", library);
+  return runtime::make_controller(*library_, robot_of(config), std::move(table));
+}
+
+std::optional<Position> Controllers::destination_in_sight(const caravan::Sensors& sensors,
+                                                          const Config& config) const {
+  return library_ == nullptr ? std::nullopt : agent::destination_in_sight(sensors, config);
+}
+
+}  // namespace caravan::agent

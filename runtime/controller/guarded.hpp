@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <caravan/controller.hpp>
+#include <stdexcept>
+
+namespace caravan::runtime {
+
+/// A controller has broken the rules of the interface. The message names it, its robot and the step.
+struct ControllerFault : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A robot's controller, with faults made into one kind of exception.
+class GuardedController {
+ public:
+  GuardedController(std::unique_ptr<Controller> controller, std::string name, std::uint32_t robot)
+      : controller_{std::move(controller)}, name_{std::move(name)}, robot_{robot} {}
+
+  /// @throws ControllerFault when the controller throws, or its wheel speeds are not finite
+  [[nodiscard]] Outputs step(const Inputs& inputs);
+
+  /// "controller mine, robot 3, step 1234 (39.488 s)": of the last step begun.
+  [[nodiscard]] std::string where() const;
+
+ private:
+  std::unique_ptr<Controller> controller_;
+  std::string name_;
+  std::uint32_t robot_;
+  std::uint64_t steps_ = 0;  // begun
+  Time now_{0};
+};
+
+}  // namespace caravan::runtime

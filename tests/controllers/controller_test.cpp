@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include "build_paths.hpp"
+#include "robot_agent/config/agent_config.hpp"
+#include "robot_agent/controller/controllers.hpp"
+#include "robot_agent/controller/paper_controller.hpp"
+#include "runtime/controller/library.hpp"
+
+namespace caravan::agent {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string kFolder = CARAVAN_BIN_DIR "/../tests/controllers/";
+
+std::string scenario_text(const std::string& controller) {
+  return "[robots]\ncount = 4\nsource_m = [0.0, 0.0]\ndestination_m = [3.0, 0.0]\n[controller]\n" +
+         controller;
+}
+
+runtime::TomlDocument scenario(const std::string& controller) {
+  return runtime::TomlDocument::parse(scenario_text(controller), "mine.toml");
+}
+
+runtime::TomlDocument with_library(const std::string& name, const std::string& keys = "") {
+  return scenario("library = \"" + kFolder + name + ".so\"\n" + keys);
+}
+
+/// What is wrong with the controller of robot 2.
+std::string refusal(const runtime::TomlDocument& document) {
+  try {
+    (void)Controllers{document}.make(load_config(document, 2));
+  } catch (const runtime::StartError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string fault_of(const std::string& fault) {
+  const auto document = with_library("faulty", "fault = \"" + fault + "\"\n");
+  auto controller = Controllers{document}.make_guarded(load_config(document, 2));
+  try {
+    for (int step = 0; step < 5; ++step)
+      (void)controller.step(
+          {.now = step * std::chrono::milliseconds{32}, .sensors = {}, .heard = {}, .destination = {}});
+  } catch (const runtime::ControllerFault& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Controllers, AreThePapersUnlessTheScenarioNamesALibrary) {
+  EXPECT_EQ(Controllers{scenario("")}.name(), "paper");
+  EXPECT_EQ(Controllers{scenario("library = \"paper\"\n")}.name(), "paper");
+  EXPECT_EQ(Controllers{with_library("chatterer")}.name(), "chatterer");
+}
+
+TEST(Controllers, ReadTheirOwnKeysStrictly) {
+  EXPECT_EQ(refusal(with_library("chatterer", "cruise_mps = 0.3\n")), "");
+  EXPECT_EQ(refusal(with_library("chatterer", "cruise_mps = -1\n")),
+            "mine.toml:7: controller.cruise_mps: must be from 0 to 1, is -1");
+  EXPECT_EQ(refusal(with_library("chatterer", "cruise = 0.3\n")),
+            "mine.toml:7: controller.cruise: unknown key");
+  EXPECT_THAT(refusal(with_library("chatterer", "cruise_mps = {}\n")),
+              StartsWith("mine.toml:7: controller.cruise_mps: must be"));
+  EXPECT_EQ(refusal(scenario("cruise_mps = 0.3\n")), "mine.toml:6: controller.cruise_mps: unknown key")
+      << "the paper's agent has its keys elsewhere";
+}
+
+TEST(Controllers, NameALibraryThatCannotBeUsed) {
+  EXPECT_THAT(refusal(with_library("missing")), HasSubstr("missing.so: there is no such file"));
+  EXPECT_THAT(refusal(scenario("library = \"" + std::string{CARAVAN_SOURCE_DIR} + "/README.md\"\n")),
+              HasSubstr("README.md: cannot be loaded: "));
+  EXPECT_THAT(refusal(with_library("no_entry")), HasSubstr("add CARAVAN_CONTROLLER(Class, \"name\")"));
+  EXPECT_THAT(refusal(with_library("other_interface")),
+              HasSubstr("was built for version 2 of the controller interface, this program has version 1"));
+  EXPECT_THAT(refusal(with_library("faulty", "fault = \"constructor\"\n")),
+              StartsWith("controller faulty, robot 2: cannot be made: no map"));
+}
+
+TEST(Controllers, ArePathsFromTheScenariosFolder) {
+  const auto document =
+      runtime::TomlDocument::parse("[controller]\nlibrary = \"lib/mine.so\"\n", "/a/b/mine.toml");
+  EXPECT_EQ(controller_in(document), "/a/b/lib/mine.so");
+}
+
+TEST(Controllers, ThatFailAreNamedWithRobotAndStep) {
+  EXPECT_EQ(fault_of("none"), "");
+  EXPECT_EQ(fault_of("throws"),
+            "controller faulty, robot 2, step 3 (0.064 s): threw an exception: no such cell");
+  EXPECT_EQ(fault_of("throws_a_number"),
+            "controller faulty, robot 2, step 3 (0.064 s): threw something that is no std::exception");
+  EXPECT_THAT(fault_of("nan"), HasSubstr("step 3 (0.064 s): wheel speeds nan and 0.1"));
+}
+
+caravan::Inputs inputs_at(int step, double ahead_m) {
+  caravan::Inputs inputs{
+      .now = step * std::chrono::milliseconds{32}, .sensors = {}, .heard = {}, .destination = {}};
+  inputs.sensors.sonar_range_m.fill(ahead_m);
+  if (step % 3 == 0) inputs.heard.push_back({.channel = 0, .bytes = {static_cast<std::uint8_t>(step)}});
+  return inputs;
+}
+
+TEST(Controllers, InOneProcessShareNothing) {
+  for (const auto& document : {with_library("chatterer"), scenario("")}) {
+    const Controllers controllers{document};
+    const Config config = load_config(document, 1);
+    const auto alone = controllers.make(config);
+    const auto together = controllers.make(config);
+    const auto other = controllers.make(load_config(document, 2));
+    for (int step = 0; step < 200; ++step) {
+      const auto expected = alone->step(inputs_at(step, 2.0));
+      (void)other->step(inputs_at(step, 0.5));
+      const auto outputs = together->step(inputs_at(step, 2.0));
+      ASSERT_EQ(outputs.left_mps, expected.left_mps) << step;
+      ASSERT_EQ(outputs.right_mps, expected.right_mps) << step;
+      ASSERT_EQ(outputs.frames.size(), expected.frames.size()) << step;
+      for (std::size_t i = 0; i < outputs.frames.size(); ++i)
+        ASSERT_EQ(outputs.frames[i].bytes, expected.frames[i].bytes) << step;
+    }
+  }
+}
+
+TEST(DestinationInSight, IsGivenNearByAndInFrontOfObstaclesOnly) {
+  const Config config = load_config(scenario(""), 1);
+  caravan::Sensors sensors;
+  sensors.sonar_range_m.fill(std::numeric_limits<double>::infinity());
+  const auto seen = destination_in_sight(sensors, config);
+  ASSERT_TRUE(seen);
+  EXPECT_EQ(seen->x_m, 3.0);
+  EXPECT_EQ(seen->y_m, 0.0);
+  sensors.position.x_m = -1.5;
+  EXPECT_FALSE(destination_in_sight(sensors, config)) << "4.5 m away";
+  sensors.position.x_m = 0.0;
+  sensors.sonar_range_m.fill(1.0);
+  EXPECT_FALSE(destination_in_sight(sensors, config)) << "something stands in between";
+  sensors.position.x_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(destination_in_sight(sensors, config));
+}
+
+}  // namespace
+}  // namespace caravan::agent

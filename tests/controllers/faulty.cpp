@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Breaks the rule that the scenario names, on robot 2.
+#include <caravan/controller.hpp>
+#include <chrono>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+namespace {
+
+class Faulty final : public caravan::Controller {
+ public:
+  Faulty(const caravan::Robot& robot, caravan::Parameters& parameters)
+      : fault_{robot.id == 2 ? parameters.text("fault", "none") : "none"},
+        at_step_{parameters.integer("at_step", 3, {1, 1e9})} {
+    (void)parameters.text("fault", "none");
+    if (fault_ == "constructor") throw std::runtime_error{"no map"};
+  }
+
+  caravan::Outputs step(const caravan::Inputs& /*inputs*/) override {
+    caravan::Outputs outputs;
+    outputs.left_mps = outputs.right_mps = 0.1;
+    if (++step_ != at_step_) return outputs;
+    if (fault_ == "throws") throw std::out_of_range{"no such cell"};
+    if (fault_ == "throws_a_number") throw 42;
+    if (fault_ == "nan") outputs.left_mps = std::numeric_limits<double>::quiet_NaN();
+    if (fault_ == "hangs") std::this_thread::sleep_for(std::chrono::hours{1});
+    return outputs;
+  }
+
+ private:
+  std::string fault_;
+  std::int64_t at_step_;
+  std::int64_t step_ = 0;
+};
+
+}  // namespace
+
+CARAVAN_CONTROLLER(Faulty, "faulty")

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+
+#include <caravan/parameters.hpp>
+
+namespace caravan {
+namespace {
+
+using testing::ElementsAre;
+
+Parameters some() {
+  return Parameters{{{"gain", 0.5},
+                     {"count", std::int64_t{3}},
+                     {"on", true},
+                     {"name", std::string{"left"}},
+                     {"weights", std::vector<double>{1.0, 2.0}}}};
+}
+
+std::string refusal(const std::function<void(Parameters&)>& ask) {
+  Parameters parameters = some();
+  try {
+    ask(parameters);
+  } catch (const ParameterError& error) {
+    return error.key() + ": " + error.what();
+  }
+  return "";
+}
+
+TEST(Parameters, GiveTheScenariosValuesAndOtherwiseTheDefaults) {
+  Parameters parameters = some();
+  EXPECT_EQ(parameters.number("gain", 1.0), 0.5);
+  EXPECT_EQ(parameters.number("count", 1.0), 3.0) << "an integer is a number";
+  EXPECT_EQ(parameters.integer("count", 1), 3);
+  EXPECT_TRUE(parameters.flag("on", false));
+  EXPECT_EQ(parameters.text("name", "right"), "left");
+  EXPECT_THAT(parameters.numbers("weights", {}), ElementsAre(1.0, 2.0));
+  EXPECT_EQ(parameters.number("missing", 7.0), 7.0);
+  EXPECT_EQ(parameters.text("also_missing", "right"), "right");
+}
+
+TEST(Parameters, RefuseAnotherTypeAndAValueOutsideTheLimits) {
+  EXPECT_EQ(refusal([](Parameters& p) { (void)p.number("name", 1.0); }), "name: must be a number");
+  EXPECT_EQ(refusal([](Parameters& p) { (void)p.integer("gain", 1); }), "gain: must be an integer");
+  EXPECT_EQ(refusal([](Parameters& p) { (void)p.flag("count", true); }), "count: must be true or false");
+  EXPECT_EQ(refusal([](Parameters& p) {
+              (void)p.number("gain", 1.0, {0.0, 0.25});
+            }),
+            "gain: must be from 0 to 0.25, is 0.5");
+  EXPECT_EQ(refusal([](Parameters& p) {
+              (void)p.integer("count", 1, {10, 20});
+            }),
+            "count: must be from 10 to 20, is 3");
+  EXPECT_EQ(refusal([](Parameters& p) {
+              (void)p.numbers("weights", {}, {0.0, 1.5});
+            }),
+            "weights: must be from 0 to 1.5, is 2");
+}
+
+TEST(Parameters, KnowWhichKeysNobodyHasAskedFor) {
+  Parameters parameters = some();
+  (void)parameters.number("gain", 1.0);
+  (void)parameters.text("name", "");
+  EXPECT_THAT(parameters.unknown(), ElementsAre("count", "on", "weights"));
+}
+
+}  // namespace
+}  // namespace caravan

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Controllers from shared libraries, in both engines.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "build_paths.hpp"
+#include "tests/system/support/process.hpp"
+
+namespace caravan {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Process;
+using test::read_file;
+using testing::HasSubstr;
+
+const fs::path kLibraries = fs::path{CARAVAN_BIN_DIR}.parent_path() / "tests/controllers";
+
+class ControllerRun : public testing::Test {
+ protected:
+  struct Ended {
+    std::optional<int> exit_code;
+    std::string said;
+    nlohmann::json metrics;
+  };
+  /// Of the small scenario, with `keys` in its table [controller].
+  Ended run(const std::string& keys, const std::string& engine, const std::string& name,
+            const std::vector<std::string>& more) {
+    const fs::path file = folder_ / "mine.toml";
+    test::write_file(file, read_file(test::scenario("small.toml")) + "\n[controller]\n" + keys);
+    std::vector<std::string> words = {"caravan", "run",        file, "--engine", engine,  "--items",
+                                      "0",       "--max-time", "20", "--quiet",  "--out", folder_ / name};
+    words.insert(words.end(), more.begin(), more.end());
+    Process process{words, folder_ / (name + ".log")};
+    Ended ended{process.wait(test::kPatience), process.output(), {}};
+    if (fs::exists(folder_ / name / "metrics.json"))
+      ended.metrics = nlohmann::json::parse(read_file(folder_ / name / "metrics.json"));
+    return ended;
+  }
+  [[nodiscard]] std::string log_of(const std::string& run, const std::string& process) const {
+    return read_file(folder_ / run / "logs" / (process + ".log"));
+  }
+
+  test::ScratchFolder folder_;
+};
+
+TEST_F(ControllerRun, GivesTheSameDigestInBothEnginesAndEveryPlacement) {
+  const std::vector<std::string> chatterer = {"--controller", kLibraries / "chatterer.so"};
+  const Ended embedded = run("cruise_mps = 0.5\n", "embedded", "embedded", chatterer);
+  ASSERT_EQ(embedded.exit_code, 0) << embedded.said;
+  EXPECT_EQ(embedded.metrics["controller"], "chatterer");
+  const Ended dds = run("cruise_mps = 0.5\n", "dds", "dds", chatterer);
+  ASSERT_EQ(dds.exit_code, 0) << dds.said;
+  EXPECT_EQ(dds.metrics["digest"], embedded.metrics["digest"]);
+  std::vector<std::string> together = chatterer;
+  together.insert(together.end(), {"--agents-per-process", "4"});
+  EXPECT_EQ(run("cruise_mps = 0.5\n", "dds", "together", together).metrics["digest"],
+            embedded.metrics["digest"]);
+  EXPECT_NE(run("cruise_mps = 0.4\n", "embedded", "slower", chatterer).metrics["digest"],
+            embedded.metrics["digest"]);
+  EXPECT_THAT(read_file(folder_ / "dds" / "events.csv"), HasSubstr(",began,turn="));
+}
+
+TEST_F(ControllerRun, TakesTheLibraryThatTheScenarioNamesFromTheScenariosFolder) {
+  fs::copy_file(kLibraries / "chatterer.so", folder_ / "here.so");
+  const Ended ended = run("library = \"here.so\"\n", "dds", "out", {});
+  EXPECT_EQ(ended.exit_code, 0) << ended.said;
+  EXPECT_EQ(ended.metrics["controller"], "chatterer");
+}
+
+TEST_F(ControllerRun, RefusesABadLibraryBeforeAnythingStarts) {
+  for (const char* engine : {"dds", "embedded"}) {
+    const Ended ended = run("", engine, engine, {"--controller", kLibraries / "no_entry.so"});
+    EXPECT_EQ(ended.exit_code, 2);
+    EXPECT_THAT(ended.said, HasSubstr("add CARAVAN_CONTROLLER"));
+    EXPECT_FALSE(fs::exists(folder_ / engine));
+  }
+}
+
+TEST_F(ControllerRun, EndsAnEmbeddedRunThatAControllerBreaksAndClosesItsRecords) {
+  for (const char* fault : {"throws", "nan", "hangs"}) {
+    const Ended ended = run("at_step = 40\nfault = \"" + std::string{fault} + "\"\n", "embedded", fault,
+                            {"--controller", kLibraries / "faulty.so"});
+    EXPECT_EQ(ended.exit_code, 1) << ended.said;
+    EXPECT_THAT(ended.said, HasSubstr("controller faulty, robot 2, step 40"));
+    EXPECT_EQ(ended.metrics["ended"], true);
+    EXPECT_EQ(ended.metrics["completed"], false);
+  }
+}
+
+TEST_F(ControllerRun, GoesOnOverDdsWithoutTheRobotWhoseControllerFailed) {
+  for (const char* fault : {"throws", "nan", "hangs"}) {
+    const Ended ended = run("at_step = 40\nfault = \"" + std::string{fault} + "\"\n", "dds", fault,
+                            {"--controller", kLibraries / "faulty.so"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.said;
+    EXPECT_EQ(ended.metrics["disturbed"], true);
+    EXPECT_THAT(log_of(fault, "agent_2"), HasSubstr("controller faulty, robot 2"));
+    EXPECT_EQ(ended.metrics["sim_time_s"], 20.0);
+  }
+}
+
+}  // namespace
+}  // namespace caravan
