@@ -56,6 +56,7 @@ ALLOWED = {
     "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, GTEST, "deploy/control", "deploy/observer",
                    "deploy/launcher/run_commands.hpp", "experiment/metrics", "robot_agent/core/radio/frames"],
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
+    "deploy/controllers": [STD, CONTROLLER],
     "deploy/doctor": [STD, POSIX, "runtime"],
     "deploy/cli": [STD, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/host", "runtime/bus/transport.hpp", "deploy",
                    "experiment", "robot_agent/config", "robot_agent/controller", "robot_agent/core", "world_server", "radio_emulator/config",

@@ -6,7 +6,7 @@ import pathlib
 import re
 import sys
 
-READERS = ("runtime/scenario", "robot_agent/config", "world_server/config", "radio_emulator/config", "hardware_bridge/config",
+READERS = ("runtime/scenario", "robot_agent/config", "robot_agent/controller", "world_server/config", "radio_emulator/config", "hardware_bridge/config",
            "deploy/cli/overrides.cpp")
 READ = re.compile(r'\bread\w*\([^"();]*"([a-z_0-9]+)"')
 KEY = re.compile(r"`([a-z][a-z_0-9]*)`")

@@ -77,7 +77,8 @@ TEST(Agent, TheDestinationHasNoInfluenceUntilItIsInSight) {
   for (const Inputs& inputs : recorded.inputs) {
     const Wheels first = one.step(inputs).wheels;
     const Wheels second = other.step(inputs).wheels;
-    in_sight = in_sight || (inputs.sensors.p_WB - here.task.destination).norm() <= here.exploration.detection_radius_m;
+    in_sight = in_sight ||
+               (inputs.sensors.p_WB - here.task.destination).norm() <= here.exploration.detection_radius_m;
     if (in_sight) break;
     ASSERT_EQ(first, second);
     ++equal_steps;
