@@ -135,7 +135,7 @@ TEST_F(DdsRun, ThatLostItsRadioEndsAsSoonAsItsWorldHasFinished) {
     return eventually([&] { return read_file(folder_ / "out" / file).find(text) != std::string::npos; },
                       kRunPatience);
   };
-  ASSERT_TRUE(has("tracks.csv", "\n10.000,")) << caravan.output();
+  ASSERT_TRUE(has("tracks.csv", "\n10.")) << caravan.output();
   ASSERT_EQ(kill(pid_of("radio_emulator"), SIGKILL), 0);
   ASSERT_TRUE(has("logs/world_server.log", "finished sim_s=300")) << caravan.output();
   EXPECT_EQ(caravan.wait(5s), 1) << "half of what it would be waited for";
