@@ -43,7 +43,7 @@ class Peer {
     close(pipe_[1]);
   }
   ~Peer() {
-    kill(SIGKILL);
+    kill(SIGTERM);  // not SIGKILL, which would leave its segment in shared memory
     close(pipe_[0]);
   }
   Peer(const Peer&) = delete;
