@@ -15,7 +15,7 @@
 namespace caravan::deploy {
 namespace {
 
-/// Of names of files and folders.
+/// Error for a name of a file or folder; empty: none.
 std::string complaint_about_name(const std::string& name) {
   return name.empty() ? "a name is missing: it is empty" : "";
 }

@@ -31,7 +31,7 @@ int check(const deploy::CheckCommand& command) {
   return runtime::kDone;
 }
 
-/// What cannot be written before the run begins is an error of the start.
+/// Writes a file before the run begins; a failure is an error of the start.
 void write_first_file(const std::filesystem::path& file, const std::string& text) {
   try {
     experiment::write_whole_file(file, text);
@@ -45,13 +45,14 @@ int run(const deploy::RunCommand& command) {
   const auto original = runtime::TomlDocument::load(command.scenario);
   (void)deploy::check_tables(
       original, deploy::controller_of(
-                    original, command.overrides));  // first, because only the original knows the lines
+                    original, command.overrides));  // first, because only the original has the line numbers
   const std::string text = deploy::effective_text(original, command.overrides);
   const auto effective =
       runtime::TomlDocument::parse(text, command.scenario.string() + " with the command line's changes");
   experiment::RunFacts facts = deploy::check_scenario(effective);
   facts.engine = command.embedded ? "embedded" : "dds";
-  std::optional<runtime::DomainLock> lock;  // before the folder: who finds it taken leaves nothing behind
+  std::optional<runtime::DomainLock>
+      lock;  // before the folder: if the domain is taken, nothing is left behind
   if (!command.embedded) lock.emplace(command.domain);
   const auto folder = std::filesystem::absolute(experiment::make_run_directory(command.out, facts));
   write_first_file(folder / "scenario.toml", text);

@@ -9,7 +9,7 @@
 
 namespace caravan::deploy {
 
-/// What the command line changes in a scenario.
+/// Changes of a scenario by the command line.
 struct Overrides {
   std::optional<std::string> mode;      ///< algorithm.mode
   std::optional<std::uint64_t> seed;    ///< seed; at most 2^63 - 1, as TOML has it
@@ -21,9 +21,9 @@ struct Overrides {
       controller;  ///< controller.library, "paper" or a path from the working directory
 };
 
-/// The name of a scenario, which becomes part of a folder's name: its key `name`, without it its file's name
-/// without the extension, with _ for what no name may have.
-/// @throws StartError when `name` has other letters than a-z, A-Z, 0-9, ._-, more than 64 of them, or none
+/// The name of a scenario, which becomes part of a folder's name: its key `name`; without it, the name of its
+/// file without extension, with _ in place of invalid characters.
+/// @throws StartError when `name` has other characters than a-z, A-Z, 0-9, ._-, more than 64 of them, or none
 [[nodiscard]] std::string name_of(const runtime::TomlDocument& scenario);
 
 /// A controller of the command line: "paper", empty, or the absolute form of a path from the working

@@ -23,11 +23,11 @@ namespace msg = caravan_interfaces::msg;
 
 constexpr auto kStatusPatience = 10s;
 constexpr auto kAnswerPatience = 10s;
-// Longer than it lives. Fast DDS 2.9 aborts when it checks a lease in the moment in which its participant
-// says goodbye, and who only asks a question must not put the world at risk.
+// Longer than this process runs. Fast DDS 2.9 aborts when it checks a lease at the moment at which its
+// participant leaves, and a mere request must not put the world at risk.
 constexpr double kLease_s = 60.0;
 
-/// Keeps the newest status of the world.
+/// Keeps the latest status of the world.
 class WorldWatch {
  public:
   void join(runtime::Bus& bus) {
@@ -105,7 +105,7 @@ int run_ctl(std::uint32_t domain, runtime::Transport transport, const std::vecto
   const auto request = read(words);
   if (!request && !only_status)
     throw runtime::StartError{"caravan ctl: \"" + words[0] + "\" is no request, see caravan ctl --help"};
-  // Not even looked at: whoever joins only gets in the way of processes that cannot use its shared memory.
+  // Does not join: it would only disturb processes that cannot use its shared memory.
   if (const auto other = runtime::other_user_in(domain);
       other && transport == runtime::Transport::kSharedMemory) {
     const std::string user = runtime::user_text(*other);

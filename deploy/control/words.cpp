@@ -22,7 +22,7 @@ std::optional<Number> parsed(const std::string& text) {
   return number;
 }
 
-/// `3` or `1-4`, appended.
+/// Parses `3` or `1-4` and appends the robots.
 void append_robots(const std::string& part, std::vector<std::uint32_t>& robots) {
   const std::size_t dash = part.find('-');
   const auto first = parsed<std::uint32_t>(part.substr(0, dash));

@@ -27,11 +27,11 @@ namespace msg = caravan_interfaces::msg;
 const std::string kObserverName = "launcher";
 constexpr auto kStopPatience = 1000ms;
 constexpr auto kLookPeriod = 250ms;
-constexpr auto kStartPeriod = 50ms;  // the same while some have not joined the bus
+constexpr auto kStartPeriod = 50ms;  // the same while some processes have not joined the bus
 constexpr auto kNotePeriod = 2s;     // of all shared memory, while they are starting
 constexpr auto kNotePeriodLater = 10s;
 
-/// Whether there is room for less than a log's next lines.
+/// Whether there is no room for the next lines of a log.
 bool is_full(const std::filesystem::path& folder) {
   std::error_code error;
   const auto space = std::filesystem::space(folder, error);
@@ -64,11 +64,11 @@ class DdsRun {
     return request_.folder / "logs";
   }
   void start_everybody();
-  /// Until the run is decided, interrupted or lost.
+  /// Runs until the run is decided, interrupted or lost.
   void follow();
   void look();
-  /// Of a process that ended by itself. Before the first step the run fails at once: nobody else takes its
-  /// place. It could not start then, unless the world has failed in that step.
+  /// Handles a process that ended by itself. Before the first step the run fails at once: no other process
+  /// takes its place. It could not start then, unless the world has failed in that step.
   void take_end(const runtime::Ended& one);
   void check_start(Wall now);
   [[nodiscard]] bool have_last_statuses() const;
@@ -137,7 +137,7 @@ void DdsRun::take_end(const runtime::Ended& one) {
   std::string how = one.name + " (pid " + std::to_string(one.pid) + ") " + runtime::how(one);
   if (is_full(request_.folder)) how += "; no room is left in " + request_.folder.string();
   if (!stepped_) {
-    if (!failure_.empty()) return;  // of several the first
+    if (!failure_.empty()) return;  // the first of several
     failure_ = how + ", and the run had not begun";
     could_not_start_ = one.name != "world_server" || one.exit_code != runtime::kFailed;
   } else if (one.name.starts_with("robot_agent")) {
@@ -145,7 +145,7 @@ void DdsRun::take_end(const runtime::Ended& one) {
     std::fprintf(stderr, "%s\n", how.c_str());
     if (agent_processes_ == 0) failure_ = "every agent has ended; the last was " + how;
   } else if (one.name == "world_server" || (request_.trace && one.exit_code == runtime::kFailed)) {
-    failure_ = how;  // without its radio's part a trace is worth nothing
+    failure_ = how;  // without its radio's part a trace is useless
   } else {
     radio_ended_ = true;
     std::fprintf(stderr, "%s; the robots drive on alone\n", how.c_str());
@@ -183,7 +183,7 @@ void DdsRun::follow() {
       segments_noted_ = now;
     }
   }
-  // The deciding truth comes first, the statuses with the digest and the last counts right behind it.
+  // The deciding truth arrives first, then the statuses with the digest and the final counts.
   const Wall patience = std::chrono::steady_clock::now() + 10s;
   while (decided_ && std::chrono::steady_clock::now() < patience) {
     if (have_last_statuses()) return;

@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 using caravan_interfaces::msg::WorldStatus;
 
 constexpr auto kSayEvery = 5s;
-constexpr auto kSilent = 3s;  // the world speaks once a second at least
+constexpr auto kSilent = 3s;  // the world sends at least once a second
 constexpr auto kGivenUp = 60s;
 
 std::string seconds(std::chrono::nanoseconds time) {
@@ -45,7 +45,7 @@ std::optional<std::string> Standstill::say(runtime::WallTime now, const std::opt
 
 std::optional<std::string> Standstill::give_up(runtime::WallTime now,
                                                const std::optional<WorldStatus>& world) const {
-  if (!world) return std::nullopt;  // the start's affair, which has a deadline of its own
+  if (!world) return std::nullopt;  // the start has its own deadline
   if (now - heard_ >= kGivenUp)
     return "world_server has said nothing for " + seconds(now - heard_) + ": the run is given up";
   const bool is_empty = world->members() == 0 && !world->gone().empty() && !world->paused();

@@ -9,17 +9,17 @@
 
 namespace caravan::deploy {
 
-/// Notices that a run stands still and says what it waits for. Somebody may have paused it, and a hung robot
-/// may be waited for as long as the scenario says; a world that says nothing for a minute is given up, and so
-/// is a run in which no robot has been left for a minute: others may have taken their place until then.
+/// Detects that a run does not step, and reports what it waits for. A paused run, and one that waits for a
+/// hung robot, may wait as long as the scenario allows. A world that is silent for a minute is given up, and
+/// so is a run that has had no robot for a minute: until then other robots may join.
 class Standstill {
  public:
   explicit Standstill(runtime::WallTime began) : stepped_{began}, told_{began}, heard_{began} {}
 
   void note_step(runtime::WallTime now) { stepped_ = now; }
   void note_world(runtime::WallTime now) { heard_ = now; }
-  /// A line every five seconds while no step comes.
-  /// @param world  its newest status, none: not heard yet
+  /// A line every five seconds while there is no step.
+  /// @param world  its latest status; none: not received yet
   [[nodiscard]] std::optional<std::string> say(
       runtime::WallTime now, const std::optional<caravan_interfaces::msg::WorldStatus>& world);
   /// Why the run is over; none: it is not.

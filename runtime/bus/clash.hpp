@@ -10,14 +10,15 @@
 
 namespace caravan::runtime {
 
-/// Two processes of one role for one robot, such as two agents or two bridges: who stays.
+/// Decides which of two processes with one role for one robot, such as two agents or two bridges, stays.
 ///
-/// The one that started earlier by more than a second stays; of two that started together the one that is in
-/// use already, else the lower GUID. The other keeps silent, with all of its robots, and gives the first one
-/// its lease and half a second to vanish (it may have been killed a moment ago), then ends.
+/// The one that started earlier by more than a second stays. If they started together, the one already in use
+/// stays, else the one with the lower GUID. The other sends nothing, for any of its robots, gives the first
+/// one its lease and half a second to vanish (it may have been killed a moment ago), then ends.
 ///
-/// Only one of ours that is found soon after the start makes this process give way. Whoever comes later came
-/// later, whatever it states; and for a writer of another make it is the reader that knows who came first.
+/// Only one of our processes that is discovered soon after the start makes this process yield. A process that
+/// is discovered later started later, whatever it states. For a writer of another make, its reader knows
+/// which one was first.
 class Clash {
  public:
   using Wall = std::chrono::steady_clock::time_point;
@@ -27,17 +28,17 @@ class Clash {
     Identity identity;
   };
 
-  /// @param lease_s  the other's may be as long as this process's
-  /// @param began    when this process could be found by others
+  /// @param lease_s  lease of this process; that of the other may be as long
+  /// @param began    time from which others could discover this process
   Clash(ParticipantId own, Identity own_identity, double lease_s, Wall began)
       : own_{own},
         own_identity_{std::move(own_identity)},
         patience_{static_cast<std::int64_t>((lease_s + 0.5) * 1e9)},
         began_{began} {}
 
-  /// Another writer of what this process writes for the robot was found. @param in_use  its reader has
-  /// answered this process, before
-  /// @return true when this process gives way
+  /// Another writer of a topic that this process writes for the robot was discovered.
+  /// @param in_use  the topic's reader has already answered this process
+  /// @return true when this process yields
   bool found(std::uint32_t robot, const ParticipantId& other, const Identity& identity, bool in_use,
              Wall now) {
     if (now - began_ > patience_ || !yields_to(other, identity, in_use)) return false;
@@ -49,11 +50,11 @@ class Clash {
 
   /// While true, send nothing.
   [[nodiscard]] bool must_be_silent() const { return !senior_.empty(); }
-  /// Until when to wait for the other to vanish.
+  /// Time until which to wait for the other to vanish.
   [[nodiscard]] std::optional<Wall> deadline() const {
     return senior_.empty() ? std::nullopt : std::optional{deadline_};
   }
-  /// Who holds which robot: one of them, once the deadline is over.
+  /// One of the holders, with its robot, once the deadline is over.
   [[nodiscard]] std::optional<Holder> lost_to(Wall now) const {
     if (senior_.empty() || now < deadline_) return std::nullopt;
     return senior_.begin()->second;

@@ -35,7 +35,7 @@ Children::~Children() {
 
 void Children::start(const std::string& name, const std::vector<std::string>& command_line) {
   {
-    const std::lock_guard lock{mutex_};  // the waiter must not see its end before it has a name
+    const std::lock_guard lock{mutex_};  // the waiting thread must not see its end before it has a name
     running_[spawn(command_line, log_folder_ / (name + ".log"), {.shared = shared_})] = name;
   }
   started_.notify_all();

@@ -23,7 +23,7 @@ struct Ended {
   int exit_code = 0;  ///< 128 + n when signal n killed it
 };
 
-/// "ended with exit code 7, its log says why". Of whoever is killed by SIGKILL no log does.
+/// Text such as "ended with exit code 7, its log says why". After SIGKILL no log gives a reason.
 [[nodiscard]] std::string how(const Ended& ended);
 
 /// The run's processes: started as direct children, each with a log file, and stopped together.
@@ -33,18 +33,17 @@ class Children {
  public:
   /// @param log_folder  exists; each child's standard error and output go to <name>.log in it
   /// @param on_end      called on the waiting thread after each end
-  /// @param shared      descriptors that the children have too, such as locks that are to last as long as
-  /// they
+  /// @param shared      descriptors that the children inherit, such as locks that must last as long as they
   ///                    do; they get no others
   Children(std::filesystem::path log_folder, std::function<void()> on_end, std::vector<int> shared = {});
-  /// Stops what still runs.
+  /// Stops those that still run.
   ~Children();
   Children(const Children&) = delete;
   Children& operator=(const Children&) = delete;
 
   /// @throws StartError when it cannot be started
   void start(const std::string& name, const std::vector<std::string>& command_line);
-  /// Begins to wait for ends, of those started and those yet to start.
+  /// Starts waiting for ends, of children started before and after.
   void watch();
   /// Ends since the last call, in order.
   [[nodiscard]] std::vector<Ended> ended();

@@ -14,7 +14,7 @@ namespace caravan::runtime {
 
 void prepare_streams() {
   signal(SIGPIPE, SIG_IGN);
-  // The lowest free number is given out, so each open fills the first gap; the one beyond is closed again.
+  // open() returns the lowest free number, so each call fills the first gap; the one beyond is closed again.
   int opened = -1;
   do {
     opened = open("/dev/null", O_RDWR);

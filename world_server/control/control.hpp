@@ -13,14 +13,14 @@
 
 namespace caravan::world {
 
-/// What may be asked of a running world.
+/// Requests to a running world.
 struct Pause {};
 struct Resume {};
 struct TakeSteps {
   std::uint32_t count = 1;
 };
 struct SetSpeed {
-  double factor = 1.0;  ///< simulated by real time; 0: as fast as possible
+  double factor = 1.0;  ///< simulated time divided by real time; 0: as fast as possible
 };
 struct Teleport {
   std::uint32_t robot = 0;
@@ -33,12 +33,12 @@ struct Hold {
 struct Release {
   std::uint32_t robot = 0;
 };
-/// Puts a robot that was removed back into the world.
+/// Puts a removed robot back into the world.
 struct Spawn {
   std::uint32_t robot = 0;
   Pose at;
 };
-/// Takes a robot out of the world, and ends hold.
+/// Removes a robot from the world, and ends Hold.
 struct Remove {
   std::uint32_t robot = 0;
 };
@@ -54,18 +54,18 @@ struct ControlConfig {
   bool follows_clock = false;  ///< pacing `free`: its speed is that of the clock
 };
 
-/// Runtime control of the world: which orders are taken, and what they do when their step comes. Knows no
-/// topic and no clock.
+/// Runtime control of the world: which orders are accepted, and their effect at their step. Has no topics and
+/// no clock.
 ///
-/// Everything takes effect between two steps, before the sensors of the second are published. So a run that
-/// is controlled by orders for given steps repeats itself bit for bit.
+/// Orders take effect between two steps, before the sensors of the second are published. A run controlled by
+/// orders for given steps is therefore repeatable bit for bit.
 class Control {
  public:
-  /// Of SetSpeed.
+  /// Limits of SetSpeed.
   static constexpr double kSlowest = 0.001;
   static constexpr double kFastest = 1000.0;
 
-  /// What the world does to robots when it is told to. Each says why it cannot be done, or nothing.
+  /// The world's operations on robots. Each returns why it cannot be done; empty on success.
   struct Hands {
     std::function<std::string(const Teleport&)> teleport;
     std::function<std::string(const Spawn&)> spawn;
@@ -74,14 +74,14 @@ class Control {
 
   explicit Control(const ControlConfig& config);
 
-  /// An order has come.
+  /// Handles the arrival of an order.
   /// @param next_step  the first step that has not begun
-  /// @return none when it is a repetition
+  /// @return none if the order is a repetition
   [[nodiscard]] std::optional<Outcome> ask(Order order, std::uint64_t next_step);
-  /// Step `step` may begin now. Called again while the world is held before it.
-  /// @return what became of the orders that were due
+  /// Executes the orders for `step`, which may begin now. Called again while the world is paused before it.
+  /// @return the outcomes of the orders that were due
   [[nodiscard]] std::vector<Outcome> reach(std::uint64_t step, const Hands& hands);
-  /// The run is over: nothing is obeyed any more.
+  /// The run is over: refuses all further orders.
   [[nodiscard]] std::vector<Outcome> end();
 
   [[nodiscard]] bool is_paused() const { return paused_; }
@@ -92,7 +92,7 @@ class Control {
 
  private:
   [[nodiscard]] std::string refusal_of(const Action& action) const;
-  /// @return why not, empty when it is done
+  /// @return why not; empty on success
   [[nodiscard]] std::string obey(const Action& action, std::uint64_t step, const Hands& hands);
 
   ControlConfig config_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is asked of the running world, and its answers.
+// Control requests to the running world, and its replies.
 #include "world_server/shell/world_shell.hpp"
 
 namespace caravan::world {
@@ -55,7 +55,7 @@ void WorldShell::on_control(const msg::ControlRequest& request) {
   if (!outcome) return;
   outputs_.replies({*outcome});
   progress();
-  loop_.notify();  // a deadline may have changed, and the status
+  loop_.notify();  // a deadline and the status may have changed
 }
 
 void WorldShell::reach_boundary() {
@@ -74,8 +74,8 @@ std::string WorldShell::spawn(const Spawn& spawn) {
   std::string refusal = world_.spawn(spawn.robot, spawn.at);
   if (!refusal.empty()) return refusal;
   auto& [driver, agents] = drivers_[spawn.robot - 1];
-  // It is awaited in the step that begins now if its agent is known to live. So what an order for a step
-  // leads to does not hang on how fast anybody is.
+  // The step that begins now waits for it if its agent is known to be running. The effect of an order for a
+  // step therefore does not depend on the speed of any process.
   if (!driver.holder() && !agents.empty()) (void)driver.claim(agents.front());
   barrier_.spawn(spawn.robot, driver.holder().has_value());
   status_changed();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the world says of its health.
+// The world's status and warnings.
 #include <spdlog/spdlog.h>
 
 #include <numeric>

@@ -58,7 +58,7 @@ void WorldShell::open_step() {
   lockstep_.open(world_.now());
   barrier_.open(now);
   pace_.open(now, control_.speed());
-  if (!first) publish_sensors();  // the first frames have been out since the start
+  if (!first) publish_sensors();  // the first frames were published at the start
   publish_truth();
 }
 
@@ -88,7 +88,7 @@ void WorldShell::advance() {
 void WorldShell::finish() {
   lockstep_.finish(world_.now());
   tallies_.ended = std::chrono::steady_clock::now();
-  // With bodies the run depends on wall time in every step: nobody could repeat it.
+  // With bodies the run depends on wall time in every step, so it is not repeatable.
   if (config_.bodies.empty()) digest_ = pure::digest(world_.chain(), inputs_.radio_chain);
   outputs_.replies(control_.end());
   publish_truth();
@@ -101,7 +101,7 @@ void WorldShell::finish() {
 }
 
 void WorldShell::publish_sensors() {
-  // By the clock, no robot waits for its frames.
+  // In pacing `free` no robot waits for its frames.
   if (follows_clock_) inputs_.forget_radio();
   outputs_.sensors(world_, lockstep_.stamp(), inputs_.radio_due, tallies_.sensors);
   inputs_.forget_radio();

@@ -17,16 +17,16 @@
 
 namespace caravan::world {
 
-/// The world on the bus: publishes what robots sense, moves the world when their commands are in, and holds
-/// the lockstep.
+/// The world on the bus: publishes the robots' sensor readings, moves the world when it has their commands,
+/// and keeps the lockstep.
 ///
 /// Steps run on the bus's receiving thread, where the last sample that a step needs arrives. The main thread
-/// keeps the deadlines (pacing, hung processes, status). Discovery leaves its news in a mailbox that either
-/// of the two empties.
+/// watches the deadlines (pacing, hung processes, status). Discovery posts to a mailbox that either of the
+/// two reads.
 class WorldShell {
  public:
   /// @param awaited observers (by the name in their credit) without which the run does not start
-  /// @param trace   receives what each step adds to the world's hash chain; null: nobody does
+  /// @param trace   records what each step adds to the world's hash chain; null: no trace
   WorldShell(const WorldConfig& config, const runtime::BusConfig& bus,
              const std::vector<std::string>& awaited, std::unique_ptr<runtime::TraceFile> trace,
              runtime::Loop& loop);
@@ -34,16 +34,16 @@ class WorldShell {
   WorldShell(const WorldShell&) = delete;
   WorldShell& operator=(const WorldShell&) = delete;
 
-  /// Until the loop is told to stop. @return the exit code
+  /// Runs until the loop is stopped. @return the exit code
   int run();
 
  private:
-  /// Of one robot: who commands it, and the agents that discovery has found, the first one first.
+  /// The sender of a robot's commands, and the agents that discovery has found, the first one first.
   struct Driver {
     runtime::Tenure tenure;
     std::vector<runtime::Sender> agents;
   };
-  /// What has been logged and is not logged again until it changes.
+  /// Conditions that have been logged and are not logged again until they change.
   struct Logged {
     std::vector<std::uint32_t> hung;
     bool hold = false;
@@ -61,22 +61,22 @@ class WorldShell {
   // members.cpp, under the lock.
   void read_mailbox();
   void meet(const runtime::Discovery& writer);
-  /// A participant has gone, or one of its writers: leaving is either.
+  /// Handles the loss of a participant or of one of its writers; either counts as leaving.
   void forget(const runtime::Discovery& gone);
   /// @return true when a member left the step
   bool forget_agent(std::uint32_t robot, const runtime::Discovery& gone);
   void forget_radio(const runtime::Discovery& gone);
-  /// The next participant that has claimed the role holds it.
+  /// Gives the role to the next participant that has claimed it.
   void hand_over(runtime::Tenure& tenure);
   [[nodiscard]] const idl::Topic& command_topic(std::uint32_t robot) const;
 
   // control.cpp. All but on_control() under the lock.
   void on_control(const caravan_interfaces::msg::ControlRequest& request);
-  /// Between two steps: carries out the orders that are due.
+  /// Between two steps: executes the orders that are due.
   void reach_boundary();
   [[nodiscard]] std::string spawn(const Spawn& spawn);
   [[nodiscard]] std::string remove(const Remove& remove);
-  /// The main thread publishes the status at once.
+  /// Lets the main thread publish the status at once.
   void status_changed();
 
   // step.cpp, under the lock.
