@@ -22,7 +22,7 @@ std::string complaint_about_name(const std::string& name) {
 
 void add_changes(CLI::App& app, Overrides& overrides) {
   app.add_option("--robots", overrides.robots, "Number of robots");
-  app.add_option("--items", overrides.items, "Deliveries that end the run; 0: it ends with the time");
+  app.add_option("--items", overrides.items, "Deliveries that end the run; 0: only the time limit ends it");
   app.add_option("--max-time", overrides.max_time_s, "Simulated seconds after which the run ends");
   app.add_option("--controller", overrides.controller,
                  "What drives the robots: paper, or a shared library (see docs/your_own_agent.md)");
@@ -31,7 +31,7 @@ void add_changes(CLI::App& app, Overrides& overrides) {
 }
 
 void add_engine(CLI::App& app, std::string& engine) {
-  app.add_option("--engine", engine, "dds: a process for each part; embedded: all in one process")
+  app.add_option("--engine", engine, "dds: separate processes; embedded: all in one process")
       ->check(CLI::IsMember({"dds", "embedded"}))
       ->capture_default_str();
 }
@@ -39,7 +39,7 @@ void add_engine(CLI::App& app, std::string& engine) {
 void add_transport(CLI::App& app, runtime::Transport& transport) {
   app.add_option_function<std::string>(
          "--transport", [&](const std::string& text) { transport = runtime::transport_named(text); },
-         "What DDS goes by. shm: shared memory; udp: unicast on 127.0.0.1; FILE.xml: a profile, see "
+         "DDS transport. shm: shared memory; udp: unicast on 127.0.0.1; FILE.xml: a profile, see "
          "deploy/fastdds")
       ->check(runtime::complaint_about_transport)
       ->default_str(to_text(transport));
@@ -52,28 +52,29 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
   add_engine(run, engine);
   run.add_option("--mode", command.overrides.mode, "Communication: none, partial or full")
       ->check(CLI::IsMember({"none", "partial", "full"}));
-  run.add_option("--seed", command.overrides.seed, "Seed of everything random")
+  run.add_option("--seed", command.overrides.seed, "Seed of all random numbers")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{std::numeric_limits<std::int64_t>::max()}));
   add_changes(run, command.overrides);
-  run.add_option("--domain", command.domain, "DDS domain; without it a free one is taken")
-      ->check(CLI::Range(0U, 232U));
+  run.add_option("--domain", command.domain, "DDS domain; default: a free one")->check(CLI::Range(0U, 232U));
   add_transport(run, command.transport);
   run.add_option("--agents-per-process", command.agents_per_process,
-                 "Of the dds engine: so many robots share a process; with many robots it is faster")
+                 "For the dds engine: number of robots that share a process; faster with many robots")
       ->check(CLI::Range(1U, 65535U))
       ->capture_default_str();
   run.add_option("--out", command.out, "Folder for the results; must be new or empty")
       ->check(complaint_about_name);
-  run.add_flag("--trace", command.trace, "Record everything that goes into the digest, for `caravan diff`");
+  run.add_flag("--trace", command.trace, "Record the data that enters the digest, for `caravan diff`");
   run.add_flag("--quiet", command.quiet, "No progress, no result table");
   run.add_flag("--report", command.report, "Draw the report of the run when it has ended");
 }
 
 void add_report_options(CLI::App& report, ReportCommand& command) {
-  report.add_option("folders", command.folders, "Folders of runs, or with runs in them, such as of sweeps")
+  report
+      .add_option("folders", command.folders,
+                  "Folders of runs, or folders that contain runs, such as those of sweeps")
       ->required()
       ->check(complaint_about_name);
-  report.add_option("--out", command.out, "Where to write; without it report/ in the first folder")
+  report.add_option("--out", command.out, "Target folder; default: report/ in the first folder")
       ->check(complaint_about_name);
 }
 
@@ -87,22 +88,21 @@ void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
   add_engine(sweep, command.engine);
   add_changes(sweep, command.overrides);
   command.jobs = std::max(1U, std::thread::hardware_concurrency());
-  sweep.add_option("--jobs", command.jobs, "Runs at a time; without it one for each processor")
+  sweep.add_option("--jobs", command.jobs, "Number of parallel runs; default: one per processor")
       ->check(CLI::Range(std::size_t{1}, std::size_t{4096}));
-  CLI::Option* out = sweep
-                         .add_option("--out", command.out,
-                                     "Folder for the results; one that holds a part of them is gone on with")
-                         ->check(complaint_about_name);
-  CLI::Option* task =
-      sweep.add_option("--task-index", command.task,
-                       "Only the run of this index, from 0, and no tables: for arrays of batch jobs");
+  CLI::Option* out =
+      sweep
+          .add_option("--out", command.out, "Folder for the results; continues one that holds a part of them")
+          ->check(complaint_about_name);
+  CLI::Option* task = sweep.add_option(
+      "--task-index", command.task,
+      "Execute only the run with this index, from 0, and write no tables: for arrays of batch jobs");
   CLI::Option* summarise =
-      sweep.add_flag("--summarise", command.summarise, "Only the tables of what is there, no runs")
+      sweep.add_flag("--summarise", command.summarise, "Only write the tables of existing runs")
           ->excludes(task);
-  sweep.add_flag("--retry-failed", command.retry_failed, "Do the runs that failed once more")
-      ->excludes(summarise);
+  sweep.add_flag("--retry-failed", command.retry_failed, "Repeat failed runs")->excludes(summarise);
   CLI::Option* count =
-      sweep.add_flag("--count", command.count, "Only say how many runs there are")->excludes(task, summarise);
+      sweep.add_flag("--count", command.count, "Only print the number of runs")->excludes(task, summarise);
   sweep.add_flag("--quiet", command.quiet, "No progress, no table");
   sweep.callback([out, count] {
     if (out->empty() && count->empty()) throw CLI::RequiredError{"--out"};
@@ -113,11 +113,11 @@ void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
   deploy.add_option("script", command.script, "Script file (TOML)")->required()->check(complaint_about_name);
   deploy.add_option("--out", command.out, "Folder for the logs; must be new or empty")
       ->check(complaint_about_name);
-  deploy.add_option("--junit", command.junit, "Report in JUnit XML; without it junit.xml among the logs")
+  deploy.add_option("--junit", command.junit, "Report in JUnit XML; default: junit.xml in the log folder")
       ->check(complaint_about_name);
   deploy.add_option("--controller", command.controller, "What drives the robots: paper, or a shared library")
       ->check(complaint_about_name);
-  deploy.add_option("--domain", command.domain, "DDS domain; without it a free one is taken")
+  deploy.add_option("--domain", command.domain, "DDS domain; default: a free one")
       ->check(CLI::Range(0U, 232U));
   add_transport(deploy, command.transport);
   deploy.add_flag("--check", command.check_only, "Check the script and start nothing");
@@ -126,10 +126,10 @@ void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
 }
 
 void add_doctor_options(CLI::App& doctor, DoctorCommand& command) {
-  doctor.add_option("--robots", command.robots, "So many are to run here")
+  doctor.add_option("--robots", command.robots, "Number of robots to run here")
       ->check(CLI::Range(1U, 65535U))
       ->capture_default_str();
-  doctor.add_option("--domain", command.domain, "DDS domain that is to be used")
+  doctor.add_option("--domain", command.domain, "DDS domain to be used")
       ->check(CLI::Range(0U, 232U))
       ->capture_default_str();
   add_transport(doctor, command.transport);
@@ -170,19 +170,19 @@ Command read_command_line(int argc, const char* const* argv) {
   CLI::App* report = app.add_subcommand("report", "Draw the figures of recorded runs: one page, SVG and PNG");
   add_report_options(*report, report_command);
   CtlCommand ctl_command;
-  CLI::App* ctl = app.add_subcommand("ctl", "Pause, step, steer or disturb a run that is under way");
+  CLI::App* ctl = app.add_subcommand("ctl", "Pause, step, steer or disturb a running run");
   ctl->add_option("--domain", ctl_command.domain, "DDS domain of the run")
       ->check(CLI::Range(0U, 232U))
       ->required();
   add_transport(*ctl, ctl_command.transport);
-  ctl->add_option("words", ctl_command.words, "What to ask")->required();
+  ctl->add_option("words", ctl_command.words, "The request")->required();
   ctl->footer(ctl_help());
   DeployCommand deploy_command;
   CLI::App* deploy = app.add_subcommand("deploy", "Run a scripted test of a deployment");
   add_deploy_options(*deploy, deploy_command);
   DoctorCommand doctor_command;
   CLI::App* doctor =
-      app.add_subcommand("doctor", "Is this host fit for a run? Says what to do where it is not");
+      app.add_subcommand("doctor", "Check whether this host is ready for a run; says what to do if not");
   add_doctor_options(*doctor, doctor_command);
   try {
     app.parse(argc, argv);

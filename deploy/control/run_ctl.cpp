@@ -91,7 +91,8 @@ std::optional<msg::ControlRequest> read(const std::vector<std::string>& words) {
 
 std::string ctl_help() {
   std::string text =
-      "Things to ask:\n  status  how the world is\nand, now or with `at STEP` behind it in that step:\n";
+      "Requests:\n  status  state of the world\nRequests that take effect at once, or in the step of a final "
+      "`at STEP`:\n";
   for (const ControlForm& form : control_forms())
     text += "  " + std::string{form.form} + "  " + std::string{form.meaning} + "\n";
   return text;
@@ -100,11 +101,10 @@ std::string ctl_help() {
 int run_ctl(std::uint32_t domain, runtime::Transport transport, const std::vector<std::string>& words) {
   const bool only_status = words[0] == "status";
   if (only_status && words.size() > 1)
-    throw runtime::StartError{"caravan ctl: status is of now: nothing may follow it, such as \"" + words[1] +
-                              "\""};
+    throw runtime::StartError{"caravan ctl: status takes no further words, such as \"" + words[1] + "\""};
   const auto request = read(words);
   if (!request && !only_status)
-    throw runtime::StartError{"caravan ctl: \"" + words[0] + "\" is no request, see caravan ctl --help"};
+    throw runtime::StartError{"caravan ctl: \"" + words[0] + "\" is not a request, see caravan ctl --help"};
   // Does not join: it would only disturb processes that cannot use its shared memory.
   if (const auto other = runtime::other_user_in(domain);
       other && transport == runtime::Transport::kSharedMemory) {
@@ -122,7 +122,8 @@ int run_ctl(std::uint32_t domain, runtime::Transport transport, const std::vecto
   if (!status) {
     const auto holder = runtime::holder_of(domain);
     const std::string who =
-        holder ? ", though a run holds it (" + to_text(*holder) + "): is --transport that run's?" : "";
+        holder ? ", although a run holds it (" + to_text(*holder) + "); does --transport match that run's?"
+               : "";
     std::fprintf(stderr, "no world in DDS domain %u%s\n", domain, who.c_str());
     bus.close();
     return runtime::kFailed;

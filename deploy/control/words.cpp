@@ -28,7 +28,7 @@ void append_robots(const std::string& part, std::vector<std::uint32_t>& robots) 
   const auto first = parsed<std::uint32_t>(part.substr(0, dash));
   const auto last = dash == std::string::npos ? first : parsed<std::uint32_t>(part.substr(dash + 1));
   if (!first || !last || *first < 1 || *last < *first || *last - *first > 10'000)
-    throw WordsError{"\"" + part + "\" is no robot: write 3, 1,2, 1-4 or all"};
+    throw WordsError{"\"" + part + "\" is not a robot: write 3, 1,2, 1-4 or all"};
   for (std::uint32_t robot = *first; robot <= *last; ++robot) robots.push_back(robot);
 }
 
@@ -58,7 +58,7 @@ void read_radio(Words& words, msg::ControlRequest& request) {
   } else if (words.take_if("heal")) {
     request.loss_probability(std::numeric_limits<double>::quiet_NaN());
   } else {
-    throw WordsError{"after radio comes cut, degrade, heal or clear, not \"" + words.peek() + "\""};
+    throw WordsError{"radio must be followed by cut, degrade, heal or clear, not \"" + words.peek() + "\""};
   }
   read_links(words, request);
 }
@@ -81,7 +81,7 @@ void read_steps(Words& words, msg::ControlRequest& request) {
   request.action(kind::STEP);
   const std::uint64_t steps =
       words.is_empty() || words.peek() == "at" ? 1 : words.count("the number of steps");
-  if (steps > std::numeric_limits<std::uint32_t>::max()) throw WordsError{"so many steps are too many"};
+  if (steps > std::numeric_limits<std::uint32_t>::max()) throw WordsError{"too many steps"};
   request.steps(static_cast<std::uint32_t>(steps));
 }
 
@@ -161,7 +161,7 @@ std::uint64_t Words::count(const std::string& what) {
 std::uint32_t Words::robot() {
   const std::string text = word("the robot's number");
   const auto value = parsed<std::uint32_t>(text);
-  if (!value || *value < 1) throw WordsError{"\"" + text + "\" is no robot's number"};
+  if (!value || *value < 1) throw WordsError{"\"" + text + "\" is not a robot's number"};
   return *value;
 }
 
@@ -210,7 +210,7 @@ std::optional<msg::ControlRequest> read_control(Words words) {
     verb.read(words, request);
     if (words.take_if("at")) {
       request.at_step(words.count("the step"));
-      if (request.at_step() == 0) throw WordsError{"steps to take effect in begin with 1"};
+      if (request.at_step() == 0) throw WordsError{"the step after `at` must be at least 1"};
     }
     words.end();
     return request;

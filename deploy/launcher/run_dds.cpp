@@ -135,7 +135,7 @@ void DdsRun::look() {
 
 void DdsRun::take_end(const runtime::Ended& one) {
   std::string how = one.name + " (pid " + std::to_string(one.pid) + ") " + runtime::how(one);
-  if (is_full(request_.folder)) how += "; no room is left in " + request_.folder.string();
+  if (is_full(request_.folder)) how += "; no space is left in " + request_.folder.string();
   if (!stepped_) {
     if (!failure_.empty()) return;  // the first of several
     failure_ = how + ", and the run had not begun";
@@ -148,7 +148,7 @@ void DdsRun::take_end(const runtime::Ended& one) {
     failure_ = how;  // without its radio's part a trace is useless
   } else {
     radio_ended_ = true;
-    std::fprintf(stderr, "%s; the robots drive on alone\n", how.c_str());
+    std::fprintf(stderr, "%s; the robots continue without it\n", how.c_str());
   }
 }
 

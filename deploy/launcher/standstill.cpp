@@ -25,14 +25,14 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 std::string reason(const std::optional<WorldStatus>& world, std::chrono::nanoseconds silence) {
-  if (!world) return "world_server is not heard yet";
-  if (silence > kSilent) return "world_server has said nothing for " + seconds(silence);
-  if (world->paused()) return "somebody has paused the run, `caravan ctl resume` goes on";
+  if (!world) return "world_server has not been received yet";
+  if (silence > kSilent) return "world_server has been silent for " + seconds(silence);
+  if (world->paused()) return "the run is paused; `caravan ctl resume` continues it";
   if (!world->hung().empty()) return listed(world->hung()) + " does not answer";
   if (!world->missing().empty()) return listed(world->missing()) + " is missing";
   if (!world->held().empty()) return world->held();
   if (world->members() == 0) return listed(world->gone()) + " is gone, and no other robot is left";
-  return "the world does not say why";
+  return "the world gives no reason";
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ std::optional<std::string> Standstill::give_up(runtime::WallTime now,
                                                const std::optional<WorldStatus>& world) const {
   if (!world) return std::nullopt;  // the start has its own deadline
   if (now - heard_ >= kGivenUp)
-    return "world_server has said nothing for " + seconds(now - heard_) + ": the run is given up";
+    return "world_server has been silent for " + seconds(now - heard_) + ": the run is given up";
   const bool is_empty = world->members() == 0 && !world->gone().empty() && !world->paused();
   if (!is_empty || now - stepped_ < kGivenUp) return std::nullopt;
   return listed(world->gone()) + " is gone, and no robot has been left for " + seconds(now - stepped_) +

@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
   app.add_option("--rate", plan.rate, "Samples a second")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--role", plan.role, "What it says to be, such as \"robot_agent 1\" or world_server")
       ->capture_default_str();
-  app.add_option("--transport", plan.transport, "What DDS goes by: shm, udp or a profile (FILE.xml)")
+  app.add_option("--transport", plan.transport, "DDS transport: shm, udp or a profile (FILE.xml)")
       ->check(runtime::complaint_about_transport)
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);

@@ -84,10 +84,10 @@ TEST_F(ControlCommand, PausesStepsSteersAndDisturbsARun) {
 TEST_F(ControlCommand, SaysWhatIsWrongBeforeItAsksAnybody) {
   const Said dance = ctl({"dance"});
   EXPECT_EQ(dance.code, 2);
-  EXPECT_THAT(dance.text, HasSubstr("\"dance\" is no request"));
+  EXPECT_THAT(dance.text, HasSubstr("\"dance\" is not a request"));
   const Said later = ctl({"status", "at", "5"});
   EXPECT_EQ(later.code, 2);
-  EXPECT_THAT(later.text, HasSubstr("status is of now: nothing may follow it"));
+  EXPECT_THAT(later.text, HasSubstr("status takes no further words"));
   const Said hold = ctl({"hold"});
   EXPECT_EQ(hold.code, 2);
   EXPECT_THAT(hold.text, HasSubstr("the robot's number is missing"));

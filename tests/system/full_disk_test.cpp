@@ -123,7 +123,7 @@ TEST_F(FullDisk, EndsARunWhoseTraceCannotGoOnAndTheTraceCanBeRead) {
   std::vector<std::string> options;
   options.emplace_back("--trace");
   EXPECT_EQ(run("400k", options), 1) << said_;
-  EXPECT_THAT(said_, ::testing::AnyOf(HasSubstr(kFull), HasSubstr("no room is left in " + disk())));
+  EXPECT_THAT(said_, ::testing::AnyOf(HasSubstr(kFull), HasSubstr("no space is left in " + disk())));
   kept_reason_ = "";
   expect_a_readable_record();
   const std::string out = folder_.path() / "kept/out";

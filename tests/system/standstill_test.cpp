@@ -71,7 +71,7 @@ class StandingStill : public ::testing::Test {
 
 TEST_F(StandingStill, APausedRunSaysSoAndOneWhoseAgentsAreSuspendedNamesThem) {
   ask({"pause"});
-  EXPECT_TRUE(launcher_.prints("somebody has paused the run", kPatience)) << launcher_.output();
+  EXPECT_TRUE(launcher_.prints("the run is paused", kPatience)) << launcher_.output();
   send_all_agents(SIGSTOP);  // while they wait: none of them holds a lock
   ask({"resume"});
   EXPECT_TRUE(launcher_.prints("robot 1, robot 2, robot 3, robot 4 ", kPatience)) << launcher_.output();
@@ -99,7 +99,7 @@ TEST_F(StandingStillInLongSteps, ARunWhoseWorldWasMadeVerySlowSaysSoAndTheRange)
 TEST_F(StandingStill, ARunWhoseWorldSaysNothingNamesIt) {
   ask({"pause"});
   send(SIGSTOP, "world_server");
-  EXPECT_TRUE(launcher_.prints("world_server has said nothing for ", kPatience)) << launcher_.output();
+  EXPECT_TRUE(launcher_.prints("world_server has been silent for ", kPatience)) << launcher_.output();
 }
 
 }  // namespace

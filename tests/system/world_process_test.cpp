@@ -219,8 +219,9 @@ TEST_F(WorldProcess, NamesAnObserverThatLivesButHandlesNothingAndGoesOnWithoutIt
   credit.observer("stuck");
   credits.write(credit);
   const PlayedFleet fleet{config_, {1, 2, 3, 4}, [](auto) { return std::pair{0.0, 0.0}; }};
-  EXPECT_TRUE(world_.prints("observer stuck lives but handles no more steps", kPatience)) << world_.output();
-  EXPECT_TRUE(world_.prints("observer stuck is not waited for any longer", kPatience)) << world_.output();
+  EXPECT_TRUE(world_.prints("observer stuck is alive but handles no more steps", kPatience))
+      << world_.output();
+  EXPECT_TRUE(world_.prints("observer stuck is no longer waited for", kPatience)) << world_.output();
   EXPECT_TRUE(statuses_.first([](const msg::WorldStatus& one) { return one.steps() > 300; }))
       << world_.output();
 }

@@ -60,7 +60,7 @@ bool WorldShell::forget_agent(std::uint32_t robot, const Discovery& gone) {
 
 void WorldShell::forget_radio(const Discovery& gone) {
   if (!radio_.release(gone.participant)) return;
-  spdlog::warn("radio lost: {}; the robots drive on alone", to_text(gone.participant, gone.identity));
+  spdlog::warn("radio lost: {}; the robots continue without it", to_text(gone.participant, gone.identity));
   barrier_.lose_radio();
   inputs_.forget_radio();
   hand_over(radio_);

@@ -49,19 +49,19 @@ void WorldShell::name_the_late(Wall now) {
   const bool held = lockstep_.phase() == Phase::kClosed && !control_.is_paused() && hold_.by &&
                     now - hold_.since >= kHeldLong;
   if (held && !logged_.hold) {
-    spdlog::warn("held back stamp_s={:.3f}: observer {} lives but handles no more steps",
+    spdlog::warn("held back stamp_s={:.3f}: observer {} is alive but handles no more steps",
                  seconds(lockstep_.stamp()), *hold_.by);
   }
   logged_.hold = held;
   if (held && !credits_.is_awaited(*hold_.by) && now - hold_.since >= kHeldTooLong) {
-    spdlog::warn("observer {} is not waited for any longer: it may miss steps", *hold_.by);
+    spdlog::warn("observer {} is no longer waited for: it may miss steps", *hold_.by);
     credits_.let_go(*hold_.by);
   }
 }
 
 std::string WorldShell::held(Wall now) const {
   if (lockstep_.phase() != Phase::kClosed || control_.is_paused()) return "";
-  if (logged_.hold) return "observer " + *hold_.by + " lives but handles no more steps";
+  if (logged_.hold) return "observer " + *hold_.by + " is alive but handles no more steps";
   const Wall::duration left = pace_.due() - now;
   if (hold_.by || control_.speed() == 0.0 || left < 1s) return "";
   return fmt::format(

@@ -77,8 +77,9 @@ void WorldShell::advance() {
     return;
   }
   if (!world_.complaint().empty() && tallies_.physics_complaints++ == 0) {
-    spdlog::warn("{} t={:.3f}: the solver goes on with what it has (further ones are counted)",
-                 world_.complaint(), std::chrono::duration<double>(lockstep_.stamp()).count());
+    spdlog::warn(
+        "{} t={:.3f}: the solver continues with an approximate result (further warnings are counted)",
+        world_.complaint(), std::chrono::duration<double>(lockstep_.stamp()).count());
   }
   if (trace_) trace_->record(world_.chain_link());
   inputs_.moved(follows_clock_);
@@ -97,7 +98,7 @@ void WorldShell::finish() {
                std::chrono::duration<double>(lockstep_.stamp()).count(), world_.items_delivered(),
                digest_.empty() ? "none" : digest_);
   if (tallies_.physics_complaints > 1)
-    spdlog::warn("the physics' solver complained in {} steps", tallies_.physics_complaints);
+    spdlog::warn("the physics solver warned in {} steps", tallies_.physics_complaints);
 }
 
 void WorldShell::publish_sensors() {

@@ -72,13 +72,13 @@ TEST(ControlWords, ReadWhichLinksAreMeant) {
 
 TEST(ControlWords, SayWhatIsWrong) {
   EXPECT_THAT(error_of("hold"), HasSubstr("robot's number is missing"));
-  EXPECT_THAT(error_of("hold zero"), HasSubstr("\"zero\" is no robot's number"));
+  EXPECT_THAT(error_of("hold zero"), HasSubstr("\"zero\" is not a robot's number"));
   EXPECT_THAT(error_of("teleport 1 nowhere 2"), HasSubstr("x must be a number"));
   EXPECT_THAT(error_of("teleport 1 nan 2"), HasSubstr("x must be a number"));
   EXPECT_THAT(error_of("pause now"), HasSubstr("one word too many"));
   EXPECT_THAT(error_of("pause at 0"), HasSubstr("begin with 1"));
   EXPECT_THAT(error_of("radio melt 1"), HasSubstr("cut, degrade, heal or clear"));
-  EXPECT_THAT(error_of("radio cut 4-2"), HasSubstr("is no robot"));
+  EXPECT_THAT(error_of("radio cut 4-2"), HasSubstr("is not a robot"));
   EXPECT_THAT(error_of("step -1"), HasSubstr("whole number"));
   EXPECT_EQ(read_control(Words{split("fly 3")}), std::nullopt);
 }

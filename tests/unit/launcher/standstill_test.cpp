@@ -54,10 +54,11 @@ TEST(Standstill, NamesRobotsThatAreGoneWhenNoneIsLeft) {
 TEST(Standstill, TellsWhatHoldsTheWorldInItsOwnWords) {
   WorldStatus world;
   world.members(2);
-  world.held("observer viewer lives but handles no more steps");
+  world.held("observer viewer is alive but handles no more steps");
   Standstill run{kBegan};
   run.note_world(kBegan + 6s);
-  EXPECT_EQ(run.say(kBegan + 6s, world), "no step for 6 s: observer viewer lives but handles no more steps");
+  EXPECT_EQ(run.say(kBegan + 6s, world),
+            "no step for 6 s: observer viewer is alive but handles no more steps");
 }
 
 TEST(Standstill, TellsAPauseFromARobotThatIsMissing) {
@@ -75,7 +76,7 @@ TEST(Standstill, TellsAPauseFromARobotThatIsMissing) {
 TEST(Standstill, GivesASilentWorldUpAfterAMinute) {
   Standstill run{kBegan};
   run.note_world(kBegan);
-  EXPECT_THAT(run.say(kBegan + 10s, WorldStatus{}), Optional(HasSubstr("has said nothing for 10 s")));
+  EXPECT_THAT(run.say(kBegan + 10s, WorldStatus{}), Optional(HasSubstr("has been silent for 10 s")));
   EXPECT_EQ(run.give_up(kBegan + 59s, WorldStatus{}), std::nullopt);
   EXPECT_THAT(run.give_up(kBegan + 60s, WorldStatus{}), Optional(HasSubstr("is given up")));
   EXPECT_EQ(run.give_up(kBegan + 600s, std::nullopt), std::nullopt) << "its start has another deadline";
