@@ -27,7 +27,7 @@ class Chatterer final : public caravan::Controller {
     outputs.right_mps = std::clamp(speed_mps + turn_, -limit_mps_, limit_mps_);
     outputs.gripper_closed = true;
     outputs.frames.push_back({0, {static_cast<std::uint8_t>(random_.word() % 256)}});
-    if (!reported_) outputs.report = caravan::Report{.events = {{"began", "turn=" + std::to_string(turn_)}}};
+    if (!reported_) outputs.report.emplace().events.push_back({"began", "turn=" + std::to_string(turn_)});
     reported_ = true;
     return outputs;
   }

@@ -14,6 +14,7 @@
 
 #include "idl/clock_types.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/bus/transport.hpp"
 #include "tests/rogue/forger.hpp"
 #include "tests/rogue/raw_type.hpp"
 
@@ -155,7 +156,7 @@ int main(int argc, char** argv) {
   app.add_option("--role", plan.role, "What it says to be, such as \"robot_agent 1\" or world_server")
       ->capture_default_str();
   app.add_option("--transport", plan.transport, "DDS transport: shm, udp or a profile (FILE.xml)")
-      ->check(runtime::complaint_about_transport)
+      ->check(caravan::runtime::complaint_about_transport)
       ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   return caravan::test::run(plan);
