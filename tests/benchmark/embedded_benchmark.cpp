@@ -12,7 +12,7 @@
 
 #include "experiment/embedded/engine.hpp"
 #include "radio_emulator/medium/chain.hpp"
-#include "robot_agent/core/agent.hpp"
+#include "robot_agent/controller/paper_controller.hpp"
 #include "runtime/pure/hash_chain.hpp"
 #include "tests/benchmark/recorded_run.hpp"
 #include "world_server/physics/dynamics.hpp"
@@ -84,16 +84,17 @@ void radio_medium(benchmark::State& state) {
 }
 
 void agent_steps(benchmark::State& state) {
-  std::vector<agent::Agent> agents;
+  std::vector<std::unique_ptr<agent::PaperController>> agents;
   repeat(
       state,
       [&](const RecordedRun& run) {
         agents.clear();
-        for (const agent::Config& config : run.agents) agents.emplace_back(config);
+        for (const agent::Config& config : run.agents)
+          agents.push_back(std::make_unique<agent::PaperController>(config));
       },
       [&](const RecordedRun& run, std::size_t i) {
         for (std::size_t k = 0; k < agents.size(); ++k)
-          benchmark::DoNotOptimize(agents[k].step(run.steps[i].inputs[k]));
+          benchmark::DoNotOptimize(agents[k]->step(run.steps[i].inputs[k]));
       });
 }
 

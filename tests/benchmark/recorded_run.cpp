@@ -9,7 +9,7 @@
 #include "experiment/embedded/convert.hpp"
 #include "radio_emulator/config/radio_config.hpp"
 #include "robot_agent/config/agent_config.hpp"
-#include "robot_agent/core/agent.hpp"
+#include "robot_agent/controller/paper_controller.hpp"
 #include "world_server/world.hpp"
 
 namespace caravan::benchmarks {
@@ -31,13 +31,13 @@ RecordedRun record_run(std::size_t robots, std::size_t steps) {
                   .steps = {}};
   world::World world{run.world};
   run.starts.assign(world.poses().begin(), world.poses().end());
-  std::vector<agent::Agent> agents;
+  std::vector<std::unique_ptr<agent::PaperController>> agents;
   for (std::uint32_t robot = 1; robot <= robots; ++robot) {
     run.agents.push_back(agent::load_config(scenario, robot));
-    agents.emplace_back(run.agents.back());
+    agents.push_back(std::make_unique<agent::PaperController>(run.agents.back()));
   }
   radio::Drops drops;
-  std::vector<std::vector<agent::ReceivedFrame>> heard(robots);
+  std::vector<std::vector<caravan::ReceivedFrame>> heard(robots);
   for (std::size_t i = 0; i < steps; ++i) {
     RecordedStep step;
     step.poses.assign(world.poses().begin(), world.poses().end());
@@ -46,10 +46,11 @@ RecordedRun record_run(std::size_t robots, std::size_t steps) {
       step.stations.push_back({robot, pose.x_m, pose.y_m});
       step.inputs.push_back({.now = world.now(),
                              .sensors = experiment::to_sensors(world.sense(robot)),
-                             .heard = std::move(heard[robot - 1])});
+                             .heard = std::move(heard[robot - 1]),
+                             .destination = {}});
       heard[robot - 1].clear();
-      agent::Outputs outputs = agents[robot - 1].step(step.inputs.back());
-      step.commands.emplace_back(world::Command{outputs.wheels.left_mps, outputs.wheels.right_mps, false});
+      caravan::Outputs outputs = agents[robot - 1]->step(step.inputs.back());
+      step.commands.emplace_back(world::Command{outputs.left_mps, outputs.right_mps, false});
       step.transmissions.push_back(experiment::to_transmission(robot, outputs));
     }
     for (radio::Reception& one :

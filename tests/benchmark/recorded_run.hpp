@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <caravan/types.hpp>
 #include <optional>
 #include <vector>
 
 #include "radio_emulator/medium/medium.hpp"
 #include "robot_agent/core/config.hpp"
-#include "robot_agent/core/types.hpp"
 #include "runtime/config/toml_table.hpp"
 #include "world_server/config/world_config.hpp"
 #include "world_server/types.hpp"
@@ -17,7 +17,7 @@ namespace caravan::benchmarks {
 struct RecordedStep {
   std::vector<world::Pose> poses;
   std::vector<radio::Station> stations;
-  std::vector<agent::Inputs> inputs;  // [0] is robot 1, as in all that follow
+  std::vector<caravan::Inputs> inputs;  // [0] is robot 1, as in all that follow
   std::vector<radio::Transmission> transmissions;
   std::vector<std::optional<world::Command>> commands;
 };
