@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <ctime>
+#include <fstream>
 #include <string>
 #include <utility>
 
@@ -39,6 +40,23 @@ bool is_in_use(std::uint32_t domain) {
   return has_living_ports(domain) || !places_in(domain).empty() || has_udp_port(domain);
 }
 
+/// 0: there is none, or it cannot be read.
+pid_t parent_of(pid_t process) {
+  std::ifstream status{"/proc/" + std::to_string(process) + "/status"};
+  for (std::string word; status >> word;) {
+    pid_t parent = 0;
+    if (word == "PPid:" && status >> parent) return parent;
+  }
+  return 0;
+}
+
+bool is_ancestor(pid_t process) {
+  for (pid_t one = getppid(); one > 0; one = parent_of(one)) {
+    if (one == process) return true;
+  }
+  return false;
+}
+
 [[noreturn]] void refuse(std::uint32_t domain, const std::string& why) {
   throw StartError{"DDS domain " + std::to_string(domain) + ": " + why +
                    "; end that one or choose another --domain"};
@@ -69,7 +87,7 @@ void DomainLock::take(std::uint32_t wanted) {
   domain_ = wanted;
   if (!lock(wanted)) {
     const auto holder = holder_of(wanted);
-    if (holder && holder->pid == getppid()) return;
+    if (holder && is_ancestor(holder->pid)) return;
     refuse(wanted, holder ? "another run or world holds it (" + to_text(*holder) + ")"
                           : "another run or world holds it");
   }

@@ -14,14 +14,13 @@ namespace caravan::runtime {
 /// name space: it is in no folder, applies to all users, and ends with the process, however that ends. A
 /// second socket names the holder (domain_users.hpp).
 ///
-/// A process may also take the domain that its parent holds: the starter of a run may choose the domain
-/// first.
+/// A process may also take the domain that one of its ancestors holds: the starter of a run may choose the
+/// domain first, and the world of a run has the run's.
 class DomainLock {
  public:
   /// @param wanted  the domain to take; none: any free one
   /// @throws StartError when another run holds the wanted domain or another user's processes are in it,
-  /// naming
-  ///         them; when no domain is free
+  /// naming them; when no domain is free
   explicit DomainLock(std::optional<std::uint32_t> wanted);
   ~DomainLock();
   DomainLock(const DomainLock&) = delete;

@@ -95,7 +95,7 @@ TEST_F(ControllerRun, GoesOnOverDdsWithoutTheRobotWhoseControllerFailed) {
                             {"--controller", kLibraries / "faulty.so"});
     EXPECT_EQ(ended.exit_code, 0) << ended.said;
     EXPECT_EQ(ended.metrics["disturbed"], true);
-    EXPECT_THAT(log_of(fault, "agent_2"), HasSubstr("controller faulty, robot 2"));
+    EXPECT_THAT(log_of(fault, "robot_agent_2"), HasSubstr("controller faulty, robot 2"));
     EXPECT_EQ(ended.metrics["sim_time_s"], 20.0);
   }
 }

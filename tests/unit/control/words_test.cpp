@@ -76,7 +76,7 @@ TEST(ControlWords, SayWhatIsWrong) {
   EXPECT_THAT(error_of("teleport 1 nowhere 2"), HasSubstr("x must be a number"));
   EXPECT_THAT(error_of("teleport 1 nan 2"), HasSubstr("x must be a number"));
   EXPECT_THAT(error_of("pause now"), HasSubstr("one word too many"));
-  EXPECT_THAT(error_of("pause at 0"), HasSubstr("begin with 1"));
+  EXPECT_THAT(error_of("pause at 0"), HasSubstr("must be at least 1"));
   EXPECT_THAT(error_of("radio melt 1"), HasSubstr("cut, degrade, heal or clear"));
   EXPECT_THAT(error_of("radio cut 4-2"), HasSubstr("is not a robot"));
   EXPECT_THAT(error_of("step -1"), HasSubstr("whole number"));
