@@ -120,14 +120,12 @@ TEST(WorldByHand, HoldsItsDomainAgainstAnotherWorld) {
   EXPECT_THAT(two.output(), HasSubstr("another run or world holds it (pid "));
 }
 
-TEST(WorldByHand, IsRefusedTheDomainOfARun) {
-  const runtime::DomainLock lock{std::nullopt};
-  const ScratchFolder folder;
-  const std::string world = std::string{CARAVAN_BIN_DIR} + "/world_server --domain " +
-                            std::to_string(lock.domain()) + " --scenario " + scenario("small.toml").string();
-  deploy::Process no_child_of_the_run{{"/bin/sh", "-c", world + "; exit $?"}, folder / "world.log"};
-  EXPECT_EQ(no_child_of_the_run.wait(kPatience), 2) << no_child_of_the_run.output();
-  EXPECT_THAT(no_child_of_the_run.output(), HasSubstr("(pid " + std::to_string(getpid()) + ","));
+TEST_F(TakenDomain, IsRefusedToAWorldThatIsStartedByHand) {
+  const Ended world = end_of({std::string{CARAVAN_BIN_DIR} + "/world_server", "--domain", domain_,
+                              "--scenario", scenario("small.toml")});
+  EXPECT_EQ(world.code, 2) << world.said;
+  EXPECT_THAT(world.said,
+              HasSubstr("another run or world holds it (pid " + std::to_string(first_.pid()) + ","));
 }
 
 }  // namespace
