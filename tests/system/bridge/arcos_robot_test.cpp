@@ -134,7 +134,7 @@ TEST_F(ArcosRobot, NamesACommandThatItDoesNotKnowOnce) {
 
 TEST_F(ArcosRobot, NamesACommandWithAWrongArgumentOnce) {
   Host host{robot_.port};
-  for (int times = 0; times < 3; ++times) host.say(from_hex("FA FB 05 01 3B 01 02 3B"));  // OPEN, one byte
+  for (int times = 0; times < 3; ++times) host.say(from_hex("FA FB 05 01 3B 01 01 3A"));  // OPEN, one byte
   host.open();
   ASSERT_TRUE(host.sip([](const Sip&) { return true; }));
   const std::string output = robot_.process->output();
