@@ -20,6 +20,7 @@ struct RunRequest {
   std::filesystem::path scenario_file;  ///< the effective scenario in it, for other processes to read
   std::uint32_t domain = 0;             ///< for the dds engine: DDS domain, held by the caller
   runtime::Transport transport = runtime::Transport::kSharedMemory;
+  std::filesystem::path agent = {};  ///< of the dds engine: program in the place of robot_agent; empty: none
   std::uint32_t agents_per_process = 1;
   std::optional<std::filesystem::path>
       trace;  ///< existing folder for the trace of every step; none: no trace

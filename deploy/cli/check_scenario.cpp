@@ -2,6 +2,7 @@
 #include "deploy/cli/check_scenario.hpp"
 
 #include "deploy/cli/overrides.hpp"
+#include "deploy/cli/try_controllers.hpp"
 #include "hardware_bridge/config/bridge_table.hpp"
 #include "radio_emulator/config/radio_config.hpp"
 #include "robot_agent/config/agent_config.hpp"
@@ -31,12 +32,10 @@ experiment::RunFacts check_tables(const runtime::TomlDocument& scenario, const s
   (void)radio::load_radio_config(scenario);
   (void)bridge::read_bridge(scenario);
   const agent::Config agent_config = agent::load_config(scenario, 1);
-  const agent::Controllers controllers{scenario, controller};
-  (void)controllers.make(agent_config);
   const std::chrono::duration<double> max_time{world_config.experiment.max_time_s};
   return {.scenario = name_of(scenario),
           .engine = {},
-          .controller = controllers.name(),
+          .controller = try_controllers(scenario, controller),
           .mode = to_text(agent_config.sharing.mode),
           .seed = world_config.seed,
           .robots = world_config.robots.count,

@@ -6,7 +6,8 @@
 
 namespace caravan::deploy {
 
-/// Reads every table in the same way as the processes, and makes one controller.
+/// Reads every table in the same way as the processes, and makes the controller of each robot
+/// (try_controllers).
 /// @param controller  as Controllers takes it
 /// @throws runtime::StartError `file:line: key: reason`
 /// @return the facts of a run of it; the engine is left empty

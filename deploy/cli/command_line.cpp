@@ -57,6 +57,9 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
   add_changes(run, command.overrides);
   run.add_option("--domain", command.domain, "DDS domain; default: a free one")->check(CLI::Range(0U, 232U));
   add_transport(run, command.transport);
+  run.add_option("--agent", command.agent,
+                 "Of the dds engine: any program that speaks the robot topics, in the place of robot_agent")
+      ->check(CLI::ExistingFile);
   run.add_option("--agents-per-process", command.agents_per_process,
                  "For the dds engine: number of robots that share a process; faster with many robots")
       ->check(CLI::Range(1U, 65535U))

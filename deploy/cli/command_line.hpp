@@ -23,6 +23,7 @@ struct RunCommand {
   Overrides overrides;
   std::optional<std::uint32_t> domain;
   runtime::Transport transport = runtime::Transport::kSharedMemory;
+  std::string agent;  ///< program in the place of robot_agent; empty: none
   std::uint32_t agents_per_process = 1;
   std::optional<std::filesystem::path> out;
   bool trace = false;

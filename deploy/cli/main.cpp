@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
 #include <cstdio>
 #include <filesystem>
 #include <new>
@@ -40,6 +42,15 @@ void write_first_file(const std::filesystem::path& file, const std::string& text
   }
 }
 
+/// @throws runtime::StartError when it cannot be used
+std::filesystem::path agent_program(const deploy::RunCommand& command) {
+  if (command.agent.empty()) return {};
+  if (command.embedded) throw runtime::StartError{"--agent starts processes: it needs --engine dds"};
+  if (access(command.agent.c_str(), X_OK) != 0)
+    throw runtime::StartError{"--agent: " + command.agent + " is not executable: chmod +x it"};
+  return std::filesystem::absolute(command.agent).lexically_normal();
+}
+
 int run(const deploy::RunCommand& command) {
   runtime::Loop loop;
   const auto original = runtime::TomlDocument::load(command.scenario);
@@ -51,6 +62,8 @@ int run(const deploy::RunCommand& command) {
       runtime::TomlDocument::parse(text, command.scenario.string() + " with the command line's changes");
   experiment::RunFacts facts = deploy::check_scenario(effective);
   facts.engine = command.embedded ? "embedded" : "dds";
+  const std::filesystem::path agent = agent_program(command);
+  if (!agent.empty()) facts.controller = agent.filename();
   std::optional<runtime::DomainLock>
       lock;  // before the folder: if the domain is taken, nothing is left behind
   if (!command.embedded) lock.emplace(command.domain);
@@ -67,6 +80,7 @@ int run(const deploy::RunCommand& command) {
                                        .scenario_file = folder / "scenario.toml",
                                        .domain = lock ? lock->domain() : 0,
                                        .transport = command.transport,
+                                       .agent = agent,
                                        .agents_per_process = command.agents_per_process,
                                        .trace = trace,
                                        .quiet = command.quiet,

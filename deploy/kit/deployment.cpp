@@ -69,6 +69,7 @@ Deployment::Deployment(DeploymentOptions options)
       scenario_file_{write_scenario(options_)},
       robots_{runtime::read_robots(runtime::TomlDocument::load(scenario_file_)).count},
       processes_{{.run = {.binaries = folder_of_binaries(options_),
+                          .agent = options_.agent,
                           .scenario = scenario_file_,
                           .domain = lock_.domain(),
                           .transport = options_.transport,

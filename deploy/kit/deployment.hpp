@@ -27,6 +27,7 @@ struct DeploymentOptions {
   std::string controller = {};               ///< replaces `controller.library`; an absolute path
   std::filesystem::path folder = {};         ///< exists; receives the effective scenario and the logs
   std::filesystem::path binaries = {};       ///< of world_server etc.; empty: beside this program, or ../bin
+  std::filesystem::path agent = {};          ///< program in the place of robot_agent; empty: none
   std::optional<std::uint32_t> domain = {};  ///< none: a free one
   runtime::Transport transport = runtime::Transport::kSharedMemory;  ///< of every process, and of the kit
   double lease_s = 2.0;                  ///< of every process: silent for this long, it counts as gone

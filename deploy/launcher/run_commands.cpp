@@ -6,9 +6,9 @@
 namespace caravan::deploy {
 namespace {
 
-std::vector<std::string> command(const RunSetup& run, const char* program,
+std::vector<std::string> command(const RunSetup& run, const std::filesystem::path& program,
                                  const std::vector<std::string>& options) {
-  std::vector<std::string> line{run.binaries / program,
+  std::vector<std::string> line{program,
                                 "--scenario",
                                 run.scenario,
                                 "--domain",
@@ -36,14 +36,17 @@ std::string to_text(const RobotGroup& group) {
 }
 
 std::vector<std::string> world_command(const RunSetup& run, const std::string& awaited) {
-  return command(run, "world_server", {"--await", awaited});
+  return command(run, run.binaries / "world_server", {"--await", awaited});
 }
 
-std::vector<std::string> radio_command(const RunSetup& run) { return command(run, "radio_emulator", {}); }
+std::vector<std::string> radio_command(const RunSetup& run) {
+  return command(run, run.binaries / "radio_emulator", {});
+}
 
 std::vector<std::string> agent_command(const RunSetup& run, const std::string& robots) {
   const bool are_several = robots.find('-') != std::string::npos;
-  return command(run, "robot_agent", {are_several ? "--robots" : "--robot", robots});
+  const std::filesystem::path agent = run.agent.empty() ? run.binaries / "robot_agent" : run.agent;
+  return command(run, agent, {are_several ? "--robots" : "--robot", robots});
 }
 
 }  // namespace caravan::deploy

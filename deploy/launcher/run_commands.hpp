@@ -12,8 +12,9 @@ namespace caravan::deploy {
 
 /// The settings that all processes of a run share.
 struct RunSetup {
-  std::filesystem::path binaries;  ///< folder of world_server and the others
-  std::filesystem::path scenario;  ///< the scenario file that they read
+  std::filesystem::path binaries;    ///< folder of world_server and the others
+  std::filesystem::path agent = {};  ///< program in the place of robot_agent, given its options; empty: none
+  std::filesystem::path scenario;    ///< the scenario file that they read
   std::uint32_t domain = 0;
   runtime::Transport transport = runtime::Transport::kSharedMemory;
   double lease_s = 5.0;  ///< a process that is silent for this long counts as gone

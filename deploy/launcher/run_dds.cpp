@@ -99,6 +99,7 @@ void DdsRun::start_everybody() {
     std::fflush(stdout);
   }
   const RunSetup setup{.binaries = std::filesystem::read_symlink("/proc/self/exe").parent_path(),
+                       .agent = request_.agent,
                        .scenario = request_.scenario_file,
                        .domain = request_.domain,
                        .transport = request_.transport,

@@ -19,7 +19,8 @@ using EntryPoint = const ControllerLibrary* (*)();
 
 const ControllerLibrary& load_controller(const std::filesystem::path& file) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) refuse(file, "there is no such file");
+  if (!std::filesystem::is_regular_file(file, error))
+    refuse(file, std::filesystem::exists(file, error) ? "is not a file" : "there is no such file");
   // An absolute path, because dlopen() searches the system's folders for a bare name.
   void* handle = dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) refuse(file, std::string{"cannot be loaded: "} + dlerror());
@@ -27,13 +28,19 @@ const ControllerLibrary& load_controller(const std::filesystem::path& file) {
   if (entry_point == nullptr)
     refuse(file, "does not export " + std::string{kEntryPoint} +
                      "(): add CARAVAN_CONTROLLER(Class, \"name\") to it");
-  const ControllerLibrary* library = entry_point();
+  const ControllerLibrary* library = nullptr;
+  try {
+    library = entry_point();
+  } catch (...) {
+    refuse(file, std::string{kEntryPoint} + "() threw an exception");
+  }
   if (library == nullptr) refuse(file, std::string{kEntryPoint} + "() returned no library");
   if (library->interface != kControllerInterface) {
     refuse(file, "was built for version " + std::to_string(library->interface) +
                      " of the controller interface, this program has version " +
                      std::to_string(kControllerInterface) + ": build it anew");
   }
+  if (library->make == nullptr) refuse(file, "has no function that makes a controller");
   return *library;
 }
 

@@ -2,6 +2,7 @@
 // Breaks the rule that the scenario names, on robot 2.
 #include <caravan/controller.hpp>
 #include <chrono>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -15,6 +16,9 @@ class Faulty final : public caravan::Controller {
         at_step_{parameters.integer("at_step", 3, {1, 1e9})} {
     (void)parameters.text("fault", "none");
     if (fault_ == "constructor") throw std::runtime_error{"no map"};
+    if (fault_ == "constructor_hangs") std::this_thread::sleep_for(std::chrono::hours{1});
+    if (fault_ == "constructor_aborts") std::abort();
+    if (fault_ == "constructor_exits") std::exit(0);
   }
 
   caravan::Outputs step(const caravan::Inputs& /*inputs*/) override {
@@ -24,6 +28,7 @@ class Faulty final : public caravan::Controller {
     if (fault_ == "throws") throw std::out_of_range{"no such cell"};
     if (fault_ == "throws_a_number") throw 42;
     if (fault_ == "nan") outputs.left_mps = std::numeric_limits<double>::quiet_NaN();
+    if (fault_ == "exits") std::exit(0);
     if (fault_ == "hangs") std::this_thread::sleep_for(std::chrono::hours{1});
     return outputs;
   }

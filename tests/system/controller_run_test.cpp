@@ -78,6 +78,28 @@ TEST_F(ControllerRun, RefusesABadLibraryBeforeAnythingStarts) {
   }
 }
 
+TEST_F(ControllerRun, RefusesAConstructorThatFailsForAnyRobotBeforeAnythingStarts) {
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {"constructor", "controller faulty, robot 2: cannot be made: no map"},
+      {"constructor_hangs", "is not made within 10 s"},
+      {"constructor_aborts", "by signal 6 (Aborted)"},
+      {"constructor_exits", "by exit code 0"}};
+  for (const auto& [fault, said] : faults) {
+    const Ended ended =
+        run("fault = \"" + fault + "\"\n", "embedded", fault, {"--controller", kLibraries / "faulty.so"});
+    EXPECT_EQ(ended.exit_code, 2);
+    EXPECT_THAT(ended.said, HasSubstr(said));
+    EXPECT_FALSE(fs::exists(folder_ / fault));
+  }
+}
+
+TEST_F(ControllerRun, DoesNotTakeAnExitOfTheControllerForItsOwn) {
+  const Ended ended =
+      run("at_step = 40\nfault = \"exits\"\n", "embedded", "out", {"--controller", kLibraries / "faulty.so"});
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_THAT(ended.said, HasSubstr("a controller has called exit()"));
+}
+
 TEST_F(ControllerRun, EndsAnEmbeddedRunThatAControllerBreaksAndClosesItsRecords) {
   for (const char* fault : {"throws", "nan", "hangs"}) {
     const Ended ended = run("at_step = 40\nfault = \"" + std::string{fault} + "\"\n", "embedded", fault,
@@ -98,6 +120,22 @@ TEST_F(ControllerRun, GoesOnOverDdsWithoutTheRobotWhoseControllerFailed) {
     EXPECT_THAT(log_of(fault, "robot_agent_2"), HasSubstr("controller faulty, robot 2"));
     EXPECT_EQ(ended.metrics["sim_time_s"], 20.0);
   }
+}
+
+TEST_F(ControllerRun, StartsAnotherProgramInThePlaceOfTheAgent) {
+  const fs::path program = folder_ / "my_agent";
+  test::write_file(program, "#!/bin/sh\necho \"my agent: $*\"\nexec " +
+                                (fs::path{CARAVAN_BIN_DIR} / "robot_agent").string() + " \"$@\"\n");
+  const Ended refused = run("", "dds", "refused", {"--agent", program});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.said, HasSubstr("is not executable"));
+  fs::permissions(program, fs::perms::owner_all);
+  const Ended ended = run("", "dds", "mine", {"--agent", program});
+  ASSERT_EQ(ended.exit_code, 0) << ended.said;
+  EXPECT_EQ(ended.metrics["controller"], "my_agent");
+  EXPECT_EQ(ended.metrics["digest"], run("", "dds", "ours", {}).metrics["digest"]);
+  EXPECT_THAT(log_of("mine", "robot_agent_3"), HasSubstr("my agent: --scenario "));
+  EXPECT_EQ(run("", "embedded", "embedded", {"--agent", program}).exit_code, 2);
 }
 
 }  // namespace

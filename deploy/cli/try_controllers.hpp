@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "runtime/config/toml_table.hpp"
+
+namespace caravan::deploy {
+
+/// Makes a controller for each robot of the scenario, as the processes of a run will. A library is loaded in
+/// a process of its own, because it can end, or keep, the process that loads it.
+///
+/// @param controller  as Controllers takes it
+/// @return the controller's name
+/// @throws runtime::StartError when one cannot be made, the library ends its process, or all of it takes more
+/// than 10 s
+[[nodiscard]] std::string try_controllers(const runtime::TomlDocument& scenario,
+                                          const std::string& controller);
+
+}  // namespace caravan::deploy
