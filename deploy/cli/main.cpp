@@ -22,6 +22,7 @@
 #include "runtime/host/domain_lock.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/process/streams.hpp"
+#include "runtime/pure/one_line.hpp"
 
 namespace {
 
@@ -151,10 +152,10 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", why.c_str());
     return code == runtime::kDone ? runtime::kFailed : code;
   } catch (const runtime::StartError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", pure::one_line(error.what()).c_str());
     return runtime::kCouldNotStart;
   } catch (const runtime::WriteError& error) {
-    std::fprintf(stderr, "%s\n", error.what());
+    std::fprintf(stderr, "%s\n", pure::one_line(error.what()).c_str());
     return runtime::kFailed;
   } catch (const std::filesystem::filesystem_error& error) {
     std::fprintf(stderr, "%s: %s\n", error.path1().c_str(), error.code().message().c_str());
@@ -163,7 +164,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "caravan: not enough memory for this\n");
     return runtime::kFailed;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "caravan: ended by an unexpected error: %s\n", error.what());
+    std::fprintf(stderr, "caravan: ended by an unexpected error: %s\n", pure::one_line(error.what()).c_str());
     return runtime::kFailed;
   }
 }

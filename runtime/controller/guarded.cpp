@@ -4,13 +4,15 @@
 #include <cmath>
 #include <cstdio>
 
+#include "runtime/pure/one_line.hpp"
+
 namespace caravan::runtime {
 
 std::string GuardedController::where() const {
   char text[64];
   std::snprintf(text, sizeof text, "%.3f s", std::chrono::duration<double>(now_).count());
-  return "controller " + name_ + ", robot " + std::to_string(robot_) + ", step " + std::to_string(steps_) +
-         " (" + text + ")";
+  return "controller " + pure::one_line(name_) + ", robot " + std::to_string(robot_) + ", step " +
+         std::to_string(steps_) + " (" + text + ")";
 }
 
 Outputs GuardedController::step(const Inputs& inputs) {
@@ -20,7 +22,7 @@ Outputs GuardedController::step(const Inputs& inputs) {
   try {
     outputs = controller_->step(inputs);
   } catch (const std::exception& error) {
-    throw ControllerFault{where() + ": threw an exception: " + error.what()};
+    throw ControllerFault{where() + ": threw an exception: " + pure::one_line(error.what())};
   } catch (...) {
     throw ControllerFault{where() + ": threw something that is no std::exception"};
   }

@@ -13,6 +13,7 @@
 #include "runtime/config/write_error.hpp"
 #include "runtime/process/streams.hpp"
 #include "runtime/process/version.hpp"
+#include "runtime/pure/one_line.hpp"
 
 namespace caravan::runtime {
 namespace {
@@ -64,13 +65,13 @@ int run_process(const Program& program, int argc, char** argv,
     spdlog::error("cannot restart: {}", std::strerror(errno));
     return kFailed;
   } catch (const StartError& error) {
-    spdlog::error("{}", error.what());
+    spdlog::error("{}", pure::one_line(error.what()));
     return kCouldNotStart;
   } catch (const WriteError& error) {
-    spdlog::error("{}", error.what());
+    spdlog::error("{}", pure::one_line(error.what()));
     return kFailed;
   } catch (const std::exception& error) {
-    spdlog::error("ended by an unexpected error: {}", error.what());
+    spdlog::error("ended by an unexpected error: {}", pure::one_line(error.what()));
     return kFailed;
   }
 }

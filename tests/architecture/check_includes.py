@@ -17,12 +17,12 @@ PROCESS = [STD, POSIX, LOG, "runtime", "idl"]
 # Folder -> what its files may include besides their own folder. The longest matching folder decides.
 ALLOWED = {
     "runtime/controller/include": [STD, CONTROLLER],
-    "runtime/controller": [STD, POSIX, CONTROLLER, "runtime/config"],
+    "runtime/controller": [STD, POSIX, CONTROLLER, "runtime/config", "runtime/pure"],
     "runtime/pure": [STD, CONTROLLER],
     "runtime/config": [STD, TOML, "runtime/pure"],
     "runtime/scenario": [STD, "runtime/config", "runtime/pure"],
     "runtime/trace": [STD, "runtime/config"],
-    "runtime/process": [STD, POSIX, LOG, CLI, "runtime/config", "runtime/bus/transport.hpp"],
+    "runtime/process": [STD, POSIX, LOG, CLI, "runtime/config", "runtime/pure", "runtime/bus/transport.hpp"],
     "runtime/bus": [STD, POSIX, LOG, DDS, ROBOT_TYPES, "idl", "runtime/config", "runtime/pure"],
     "runtime/host": [STD, POSIX, "runtime/bus", "runtime/config"],
     "runtime/control": [STD, LOG, TRUTH_TYPES, "runtime/pure"],

@@ -78,6 +78,11 @@ TEST_F(BadScenario, MoreRobotsThanTheArenaHoldsAreRefused) {
   EXPECT_THAT(refusal(kSmall, {"--robots", "5000"}), testing::HasSubstr("robots.count: "));
 }
 
+TEST_F(BadScenario, AKeyWithControlCharactersStaysOnOneLine) {
+  test::write_file(scenario_, "\"\\u001b[2J\\nfoo\" = 1\n");
+  EXPECT_THAT(refusal(scenario_), testing::HasSubstr(":1: \\x1b[2J\\nfoo: unknown key"));
+}
+
 TEST_F(BadScenario, AFolderThatHoldsSomethingIsLeftAlone) {
   const Ended ended = end_of({"run", kSmall, "--engine", "embedded", "--out", kSmall.parent_path()});
 
