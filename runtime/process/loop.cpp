@@ -30,6 +30,13 @@ void raise_event(int descriptor) {
   }
 }
 
+/// False: whoever started this process wants the signal ignored, as nohup does.
+bool is_heeded(int number) {
+  struct sigaction action {};
+  sigaction(number, nullptr, &action);
+  return action.sa_handler != SIG_IGN;
+}
+
 }  // namespace
 
 Loop::Loop() {
@@ -38,6 +45,7 @@ Loop::Loop() {
   sigaddset(&set, SIGINT);
   sigaddset(&set, SIGTERM);
   sigaddset(&set, SIGCONT);
+  if (is_heeded(SIGHUP)) sigaddset(&set, SIGHUP);
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
   signals_ = made(signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK), "signalfd");
   wakeups_ = made(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "eventfd");

@@ -17,7 +17,7 @@ struct Polled {
   bool ready = false;        ///< after a wait: it can be read, or written, or is broken
 };
 
-/// The only place where the main thread waits: for SIGINT or SIGTERM, a wake-up by another thread, a
+/// The only place where the main thread waits: for SIGINT, SIGTERM or SIGHUP, a wake-up by another thread, a
 /// deadline, or descriptors.
 ///
 /// It also notifies the service manager (see service_manager.hpp): ready at the first wait, alive whenever

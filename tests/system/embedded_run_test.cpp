@@ -91,7 +91,7 @@ TEST(EmbeddedRun, QuietSaysNothing) {
 }
 
 TEST(EmbeddedRun, AnInterruptClosesTheRecordsAndEndsWithOneHundredAndThirty) {
-  for (const int number : {SIGINT, SIGTERM}) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     const test::ScratchFolder folder;
     const fs::path out = folder / "out";
     Process process{endless(out), folder / "log"};
