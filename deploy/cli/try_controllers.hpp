@@ -7,8 +7,8 @@
 
 namespace caravan::deploy {
 
-/// Makes a controller for each robot of the scenario, as the processes of a run will. A library is loaded in
-/// a process of its own, because it can end, or keep, the process that loads it.
+/// Makes a library's controller for each robot of the scenario, as the processes of a run will. A library is
+/// loaded in a process of its own, because it can end, or keep, the process that loads it.
 ///
 /// @param controller  as Controllers takes it
 /// @return the controller's name
