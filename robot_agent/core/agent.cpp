@@ -27,8 +27,8 @@ std::string where(const Point& p_W) { return in_detail("x_m", p_W.x()) + " " + i
 
 }  // namespace
 
-/// Algorithm 1. WAIT, the receiver queue and the exchange (lines 2 and 14 to 18) are Communication's; lines 3
-/// to 10 are Explorer's, 12 and 13 Carrier's.
+/// Algorithm 1. Communication does lines 2 and 14 to 18 (WAIT, the receiver queue, the exchange), Explorer
+/// lines 3 to 10, Carrier lines 12 and 13.
 struct Agent::Impl {
   explicit Impl(const Config& its_config)
       : config{its_config},
@@ -57,7 +57,7 @@ struct Agent::Impl {
   Neighbours neighbours;
   Surfaces surfaces;
   UnseenObstacles unseen_obstacles;
-  Wheels told;  // in the step before
+  Wheels told;  // commanded in the previous step
   pure::Random random;
   std::variant<Explorer, Carrier> task;
   Origin origin = Origin::kNone;

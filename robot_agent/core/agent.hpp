@@ -8,8 +8,8 @@
 
 namespace caravan::agent {
 
-/// One robot's whole behaviour: the paper's Algorithm 1. A function of its inputs so far: equal inputs, equal
-/// outputs.
+/// The behaviour of one robot: the paper's Algorithm 1. Deterministic: equal inputs since construction give
+/// equal outputs.
 class Agent {
  public:
   explicit Agent(const Config& config);
@@ -17,7 +17,7 @@ class Agent {
   Agent(Agent&&) noexcept;
   Agent& operator=(Agent&&) noexcept;
 
-  /// One step. Time must not go back. An agent without position (NaN) stops.
+  /// One step. Inputs::now must not decrease. A robot without a position or heading (NaN) stops.
   [[nodiscard]] Outputs step(const Inputs& inputs);
 
  private:

@@ -38,7 +38,7 @@ struct Outline {
 }  // namespace
 
 double distance_m(const Pose& one, const Pose& other, const Body& body) {
-  // Of two rectangles apart, a corner of one is a nearest point.
+  // For two disjoint rectangles, a corner of one is always among the nearest points.
   const Outline a{one, body};
   const Outline b{other, body};
   double nearest = std::numeric_limits<double>::infinity();

@@ -10,12 +10,12 @@
 
 namespace caravan::agent {
 
-/// Everything one agent is told before it starts, by concern. The reader fills it and Agent hands each part
-/// to its users; nothing else takes it whole. Defaults are the paper's text values where it gives one.
+/// Settings of one agent, grouped by concern. Agent passes each part to the code that uses it; nothing else
+/// takes the whole. Defaults are the values in the paper's text where it gives one.
 struct Config {
   RobotId id{1};
   std::uint64_t seed = 1;
-  bool robots_are_solid = true;  ///< false: robots pass through one another, so nobody gives way to anybody
+  bool robots_are_solid = true;  ///< false: robots pass through one another and never give way
   Task task;
   Progress progress;
   Body body;

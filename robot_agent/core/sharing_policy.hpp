@@ -3,16 +3,17 @@
 
 #include "robot_agent/core/types.hpp"
 
-/// What the paper's three communication modes (section 4) permit: the one variable of its experiment.
+/// The paper's three communication modes (section 4), the independent variable of its experiment.
 namespace caravan::agent {
 
 enum class Sharing : std::uint8_t {
-  kNone,     ///< nobody pairs
-  kPartial,  ///< a robot with a path gives it to one without; it takes none itself
-  kFull      ///< a robot takes a path each time, and merges it with its own
+  kNone,     ///< no robot pairs
+  kPartial,  ///< a robot with a path gives it to a robot without one, and accepts none
+  kFull      ///< a robot accepts every path, and merges it with its own
 };
 
-/// May two robots pair, going by what they have? Two without a path have nothing to give.
+/// Whether the mode lets two robots pair, by whether they have paths. Two robots without a path have nothing
+/// to exchange.
 [[nodiscard]] constexpr bool may_pair(Sharing sharing, Mode own, Mode partner) {
   const bool one_has_a_path = own == Mode::kTransport || partner == Mode::kTransport;
   const bool one_has_none = own == Mode::kExplore || partner == Mode::kExplore;
@@ -27,7 +28,7 @@ enum class Sharing : std::uint8_t {
   return false;
 }
 
-/// Does a robot want the path that a partner gives?
+/// Whether a robot accepts the path of its partner.
 [[nodiscard]] constexpr bool wants_path(Sharing sharing, Mode own) {
   return sharing == Sharing::kFull || (sharing == Sharing::kPartial && own == Mode::kExplore);
 }

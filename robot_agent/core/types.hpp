@@ -15,13 +15,13 @@
 
 namespace caravan::agent {
 
-/// Simulated time since the session began. It comes with the inputs; the core never asks a clock.
+/// Simulated time since the session began. It is part of the inputs; the core reads no clock.
 using Time = std::chrono::nanoseconds;
 
 /// A position in frame W (x east, y north), metres.
 using Point = Eigen::Vector2d;
 
-/// Robots are numbered from 1; 0 is nobody.
+/// Robots are numbered from 1; 0 means no robot.
 struct RobotId {
   std::uint16_t value = 0;
   auto operator<=>(const RobotId&) const = default;
@@ -34,28 +34,27 @@ struct Channel {
 };
 inline constexpr Channel kCommonChannel{0};
 
-/// What goes over the air: at most MTU bytes on one channel. A frame does not say who sent it; its contents
-/// may claim so.
+/// A radio frame: at most MTU bytes on one channel. It has no sender field; its contents may name a sender.
 struct Frame {
   Channel channel;
   std::vector<std::uint8_t> bytes;
   bool operator==(const Frame&) const = default;
 };
 
-/// A frame as its receiver gets it.
+/// A frame with its reception data.
 struct ReceivedFrame {
   Channel channel;
   std::vector<std::uint8_t> bytes;
-  double signal_strength_dbm = std::numeric_limits<double>::quiet_NaN();  ///< NaN: the radio does not say
+  double signal_strength_dbm = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not reported
 };
 
 using robot_model::kSonarCount;
 
-/// One sensor frame. A real that is not known now is NaN.
+/// One sensor frame. NaN: the value is unknown.
 struct Sensors {
   std::array<double, kSonarCount>
       sonar_range_m{};  ///< along the axis of each sonar from its face; +inf: no echo (REP-117)
-  std::array<double, kSonarCount> sonar_age_s{};  ///< how old each range is
+  std::array<double, kSonarCount> sonar_age_s{};  ///< age of each range
   Point p_WB{0.0, 0.0};                           ///< GPS: the robot's base in W
   double yaw_WB_rad = 0.0;                        ///< compass: counter-clockwise from east, in (-pi, pi]
   double left_wheel_rad = 0.0;                    ///< wheel angles since the start, forward positive
@@ -63,8 +62,8 @@ struct Sensors {
   bool holding = false;  ///< an item is in the gripper
 };
 
-/// What one step gets to know: the time, the sensors and every frame that arrived since the last step, in
-/// order.
+/// Inputs of one step: the time, the sensors, and all frames that arrived since the previous step, in order
+/// of arrival.
 struct Inputs {
   Time now{0};
   Sensors sensors;
@@ -78,48 +77,48 @@ struct Wheels {
   bool operator==(const Wheels&) const = default;
 };
 
-using caravan::Activity;  ///< what this step's time goes to
-using caravan::Mode;      ///< has the robot a path?
+using caravan::Activity;  ///< what the robot does in this step
+using caravan::Mode;      ///< whether the robot has a path
 using caravan::Origin;    ///< where its first path came from
 
-/// One communication attempt, from stopping to resuming.
+/// One communication attempt, from stopping until driving on.
 struct Exchange {
   RobotId partner;
-  std::uint16_t session = 0;  ///< number chosen by the primary; 0 when it was never learned
+  std::uint16_t session = 0;  ///< chosen by the primary; 0: never received
   bool primary = false;
   bool completed = false;
   Time began{0};
   Time ended{0};
 };
 
-/// Something worth a line in the run's event list, named in lower_snake_case.
+/// An entry in the run's list of events. Names are lower_snake_case.
 struct Event {
   const char* name = "";
   std::string detail;  ///< key=value pairs
 };
 
-/// What the agent says of itself for observers. Sent when something in it changed; `path` only when the path
-/// did.
+/// Status of the agent for observers. Sent when it has changed; `path` is included only when the path has
+/// changed.
 struct Report {
   Mode mode = Mode::kExplore;
   Activity activity = Activity::kIdle;
   Origin origin = Origin::kNone;
   bool towards_destination = false;    ///< direction of travel along the path
-  std::uint32_t trips = 0;             ///< pick-ups so far
-  std::uint64_t malformed_frames = 0;  ///< heard so far that are not of the protocol
+  std::uint32_t trips = 0;             ///< number of pick-ups
+  std::uint64_t malformed_frames = 0;  ///< received frames that are not of the protocol
   bool path_changed = false;
-  std::vector<Point> path;          ///< from the source to the destination; meaningful when path_changed
-  std::vector<Exchange> exchanges;  ///< ended in this step
-  std::vector<Event> events;        ///< of this step
+  std::vector<Point> path;          ///< from the source to the destination; valid if path_changed
+  std::vector<Exchange> exchanges;  ///< attempts that ended in this step
+  std::vector<Event> events;        ///< events of this step
 };
 
-/// What one step decides.
+/// Outputs of one step.
 struct Outputs {
   Wheels wheels;
   bool gripper_closed = false;
-  Channel tuned;              ///< the channel it listens on from now
-  std::vector<Frame> frames;  ///< sent now, in order
-  bool reports = false;       ///< `report` holds something new
+  Channel tuned;              ///< the channel it listens on from now on
+  std::vector<Frame> frames;  ///< to be sent now, in order
+  bool reports = false;       ///< `report` contains something new
   Report report;
 };
 

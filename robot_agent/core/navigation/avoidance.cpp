@@ -15,7 +15,7 @@ double clearance_m(const Encounter& encounter, double bearing_rad) {
                                            .surface_per_metre = encounter.settings.surface_per_metre});
 }
 
-/// The same, and robots that told where they are count as discs. One close by must not be approached at all.
+/// Like clearance_m(), with robots of known position as discs; 0 towards a robot close by.
 double clearance_among_robots_m(const Encounter& encounter, double bearing_rad) {
   const Manoeuvres& settings = encounter.settings;
   const Point along = direction(encounter.seen.yaw_WB_rad + bearing_rad);
@@ -32,7 +32,7 @@ double clearance_among_robots_m(const Encounter& encounter, double bearing_rad) 
   return nearest;
 }
 
-/// Stands a little and lets the other pass; every third time in the same place it goes round.
+/// Pauses and lets the other robot pass; goes round at every third attempt in the same place.
 Manoeuvre let_pass(const Encounter& encounter) {
   if (encounter.attempt % 3 == 2) return go_round(encounter);
   const Manoeuvres& settings = encounter.settings;
@@ -44,7 +44,8 @@ TurnTo turned_by(const Encounter& encounter, double bearing_rad) {
   return {wrapped(encounter.seen.yaw_WB_rad + bearing_rad)};
 }
 
-/// The same in motion, early enough that nobody has to turn on the spot: the other has told where it is.
+/// The rule in motion, for a robot of known position: it starts early enough that neither robot turns in
+/// place.
 Manoeuvre veer(const Encounter& encounter) {
   const Manoeuvres& settings = encounter.settings;
   const double side = encounter.meeting->passes_m > settings.veer_right_m ? -1.0 : 1.0;
@@ -60,7 +61,8 @@ Manoeuvre turn_slightly_left(const Encounter& encounter) {
   if (encounter.meeting) return veer(encounter);
   const Manoeuvres& settings = encounter.settings;
   const double forward = settings.left_m + settings.left_spread_m * encounter.draw;
-  // Further, where another robot is known to stand so close that slightly does not lead past it.
+  // Tries larger angles while the position of another robot is known: a slight turn may not lead past one
+  // close by.
   double left = settings.left_rad + settings.left_spread_rad * encounter.draw;
   while (left < settings.left_limit_rad) {
     if (clearance_among_robots_m(encounter, left) >= settings.room_m)
@@ -72,7 +74,7 @@ Manoeuvre turn_slightly_left(const Encounter& encounter) {
 }
 
 Manoeuvre go_round(const Encounter& encounter) {
-  // Alternately left and right of the goal, further and further.
+  // Alternates between left and right of the goal, at increasing angles.
   const Manoeuvres& settings = encounter.settings;
   const double first_side = encounter.attempt % 2 == 0 ? 1.0 : -1.0;
   for (const double aside : settings.round_rad) {

@@ -10,7 +10,7 @@
 namespace caravan::agent {
 namespace {
 
-// Of the model of the motors: by then any twist is reached.
+// Bound on the time step of the motor model: any twist is reached in less.
 constexpr Time kLongestStep = std::chrono::seconds{1};
 
 Perception without_surfaces(Perception seen) {
@@ -53,7 +53,7 @@ Motion Driver::drive_to(const Point& goal_W, const Perception& seen, pure::Rando
     if (auto* manoeuvring = std::get_if<Manoeuvring>(&state_)) {
       manoeuvring->performance.skip();
     } else if (surface_near) {
-      // The task may know a way round; where that does not help, it comes away first.
+      // The task may know a way round; from the second time at this place the robot frees itself first.
       if (const int attempt = attempts_at(seen); attempt > 0) free(goal_W, seen, attempt, random);
       motion.obstruction = Obstruction::kObstacle;
     } else {
@@ -112,7 +112,7 @@ Motion Driver::approach(const Point& goal_W, const Perception& seen, pure::Rando
       monitor_.update(seen, last_wheels_, settings_.recovery, settings_.body.track_m) || seen.touched;
   auto* manoeuvring = std::get_if<Manoeuvring>(&state_);
   if (stuck && manoeuvring && last_wheels_.left_mps < 0.0 && last_wheels_.right_mps < 0.0) {
-    manoeuvring->performance.skip();  // behind it is something as well: no more backing off
+    manoeuvring->performance.skip();  // contact behind as well: stop backing off
   } else if (stuck) {
     const bool drove_forward = last_wheels_.left_mps > 0.0 && last_wheels_.right_mps > 0.0;
     free(goal_W, seen, attempts_at(seen), random);
@@ -136,7 +136,7 @@ Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& 
   const auto [ahead, closing] = view_.update(seen, free_ahead_m(seen.around, body), rule);
   const bool facing = std::abs(bearing) < driving.facing_rad;
   const bool in_the_way = ahead < driving.too_close_m || (ahead < rule.echo_m && closing > rule.closing_mps);
-  const bool somebody = seen.robot_near && seen.robots.empty();  // who has not told where it is
+  const bool somebody = seen.robot_near && seen.robots.empty();  // without a reported position
   const auto meeting =
       facing ? find_meeting({bearing, driving.cruise_mps}, seen, rule, body, settings_.keep_clear.robots_m)
              : std::nullopt;
@@ -144,7 +144,7 @@ Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& 
     meet(meeting, goal_W, seen, random);
     return {{}, Activity::kAvoiding, Obstruction::kRobot};
   }
-  // Something beyond the goal is not in the way.
+  // Obstacles beyond the goal do not count.
   const double needed =
       std::min(driving.too_close_m, std::max(driving.goal_room_m, seen.distance_to(goal_W)));
   if (facing && free_ahead_m(seen.still, body) < needed) {
@@ -156,7 +156,7 @@ Motion Driver::steer(const Point& goal_W, const Perception& seen, pure::Random& 
 }
 
 void Driver::go_round_towards(const Point& goal_W, const Perception& seen, pure::Random& random) {
-  // The same side again while it is the same obstacle.
+  // Keep to one side for four attempts at the same obstacle.
   const int attempt = attempts_at(seen) / 4;
   state_ = Manoeuvring{Performance{go_round({seen, settings_.manoeuvres, settings_.passage.corridor_m,
                                              seen.bearing_to(goal_W), random.unit(), attempt})}};

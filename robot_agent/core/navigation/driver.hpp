@@ -12,22 +12,21 @@
 
 namespace caravan::agent {
 
-/// What came between the robot and its goal in a step.
+/// What blocked the robot in a step.
 enum class Obstruction : std::uint8_t {
   kNone,
-  kRobot,     ///< something ahead and a WAIT: it gives way
-  kObstacle,  ///< something ahead that sends no WAIT: it stands, the task decides
-  kTouch      ///< it does not move although it should: it frees itself
+  kRobot,     ///< an echo ahead and a WAIT: the robot gives way
+  kObstacle,  ///< an echo ahead without a WAIT: the robot stands, and the task reacts
+  kTouch      ///< no movement despite commands: the robot frees itself
 };
 
 struct Motion {
   Wheels wheels;
   Activity activity = Activity::kDriving;
   Obstruction obstruction = Obstruction::kNone;
-  bool drove_forward = false;  ///< with kTouch: what it touches is in front of it
+  bool drove_forward = false;  ///< with kTouch: the contact is in front of the robot
 };
 
-/// What a Driver goes by.
 struct DriverSettings {
   Body body;
   Driving driving;
@@ -38,31 +37,34 @@ struct DriverSettings {
   Passage passage;
 };
 
-/// Brings the robot to a goal past what is in the way.
+/// Drives the robot to a goal, around robots and obstacles.
 ///
-///   state       | way free | robot ahead        | obstacle ahead        | does not move      | manoeuvre over
+///   state       | way free | robot ahead        | obstacle ahead        | stuck              | manoeuvre
+///   over
 ///   ------------+----------+--------------------+-----------------------+--------------------+---------------
-///   Steering    | steer    | Manoeuvring (rule) | stand, tell kObstacle | Manoeuvring (free) | -
+///   Steering    | steer    | Manoeuvring (rule) | stand, kObstacle      | Manoeuvring (free) | -
 ///   Manoeuvring | continue | continue           | continue              | Manoeuvring (free) | Steering
 ///
-/// Below it lies keep_clear(). Steering and kept by it for long is: a robot ahead, when robots are the
-/// reason; Manoeuvring (free) and kObstacle, when a surface is.
+/// keep_clear() filters all commands. If it changes them by Recovery::held_mps or more for longer than
+/// Recovery::held_time, a manoeuvre skips its current leg. In Steering, if robots are the reason, this counts
+/// as a robot ahead; if a surface is, the driver reports kObstacle, and from the second time at one place
+/// also frees itself.
 class Driver {
  public:
   explicit Driver(const DriverSettings& settings);
 
   [[nodiscard]] Motion drive_to(const Point& goal_W, const Perception& seen, pure::Random& random);
-  /// Goes round the obstacle between the robot and the goal; to be called after kObstacle.
+  /// Starts a manoeuvre round the obstacle between the robot and the goal; call after kObstacle.
   void go_round_towards(const Point& goal_W, const Perception& seen, pure::Random& random);
-  /// Backs off a little on the way that it came, which is free, before it turns.
+  /// Starts a manoeuvre that backs off along the way that the robot came, before it turns.
   void back_off();
-  /// The robot stands in this step. A manoeuvre under way goes on afterwards.
+  /// Stands in this step. A manoeuvre in progress continues afterwards.
   [[nodiscard]] Motion stand(Activity activity, Time now);
 
-  /// How the robot moved when it was told last, from what its wheels had been told until then.
+  /// Estimated twist at the last command, from the previous commands.
   [[nodiscard]] const Twist& twist() const { return twist_; }
 
-  /// Driving freely, not giving way.
+  /// True when no manoeuvre is in progress.
   [[nodiscard]] bool is_steering() const { return std::holds_alternative<Steering>(state_); }
 
  private:

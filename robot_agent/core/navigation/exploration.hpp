@@ -8,11 +8,11 @@
 
 namespace caravan::agent {
 
-/// Algorithm 2, GenerateNewLocationToExplore(): a direction is drawn near the heading; while the sonars see
-/// something in the way to it, from a wider and wider range.
+/// Algorithm 2, GenerateNewLocationToExplore(): draws a direction near the heading. The range of directions
+/// widens with each draw whose way is not free by the sonars.
 ///
-/// @return the new location in W, Exploration::step_m away. When no direction is free it is the freest
-/// of those tried.
+/// @return the new location in W, at distance Exploration::step_m; when no drawn direction is free, in the
+/// direction with the most free space.
 [[nodiscard]] Point new_location_to_explore(const Perception& seen, const Exploration& exploration,
                                             const Passage& passage, const Body& body, pure::Random& random);
 

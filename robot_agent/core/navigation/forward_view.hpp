@@ -9,16 +9,16 @@
 
 namespace caravan::agent {
 
-/// The free distance ahead over time.
+/// The free distance ahead, filtered over time.
 ///
-/// A robot ahead that turns shows its corner and vanishes from the sonars: while a WAIT is heard, an echo
-/// that vanishes at once is believed to be still there for MeetingRule::lost_echo. And how fast the free
-/// distance shrinks tells a robot that comes or stands from one that drives ahead in the same direction.
+/// A robot ahead that turns shows its corner, which returns no echo. While another robot is received, an echo
+/// that vanishes suddenly is therefore kept for MeetingRule::lost_echo. The rate at which the free distance
+/// shrinks distinguishes a robot that approaches or stands from one that drives ahead in the same direction.
 class ForwardView {
  public:
   struct View {
     double free_ahead_m = std::numeric_limits<double>::infinity();
-    double closing_mps = std::numeric_limits<double>::infinity();  ///< +inf: it came into view just now
+    double closing_mps = std::numeric_limits<double>::infinity();  ///< +inf: unknown, as for a new echo
   };
   [[nodiscard]] View update(const Perception& seen, double free_ahead_m, const MeetingRule& rule);
 

@@ -12,16 +12,16 @@
 namespace caravan::agent {
 namespace {
 
-// Poses of a predicted trajectory, an array; its length in time is KeepClear::prediction_step_s times this.
+// Number of poses in a predicted trajectory; it spans this times KeepClear::prediction_step_s.
 constexpr std::size_t kMoments = 7;
-constexpr double kNothing_m = 1e-3;  // of violation: less is rounding
-// Candidates: shares of the wanted speed and of slow_mps, which are parameters themselves.
+constexpr double kNothing_m = 1e-3;  // a smaller violation is rounding
+// Shares of the wanted speed and of slow_mps that are tried as candidates.
 constexpr double kOfWanted = 0.6;
 constexpr double kOfSlow = 0.5;
 
 using Trajectory = std::array<Pose, kMoments>;
 
-/// The poses of a robot whose wheels are told to change its twist, then to stop.
+/// Poses of a robot whose wheels get a new command and then brake.
 Trajectory predicted_trajectory(Pose pose, Twist now, const Twist& told, const KeepClear& settings,
                                 const Acceleration& limits) {
   const double step = settings.prediction_step_s;
@@ -39,7 +39,7 @@ Trajectory predicted_trajectory(Pose pose, Twist now, const Twist& told, const K
   return trajectory;
 }
 
-/// How far two robots are apart: their axles, and their bodies where these could touch.
+/// Distances between two robots: between their axles, and between their bodies where these could touch.
 struct Spacing {
   double axles_m = 0.0;
   double bodies_m = 0.0;
@@ -48,11 +48,11 @@ struct Spacing {
 Spacing spacing(const Pose& one, const Pose& other, double swept_m, const KeepClear& settings,
                 const Body& body) {
   const double axles = (one.p_WB - other.p_WB).norm();
-  const double apart = axles - 2.0 * swept_m;  // of the circles in which the bodies turn
+  const double apart = axles - 2.0 * swept_m;  // between the circles that the bodies sweep when they turn
   return {axles, apart > settings.robots_m ? apart : distance_m(one, other, body)};
 }
 
-/// The robots that matter, where they will be, and the surfaces near by.
+/// The robots near by with their predicted trajectories, and the surfaces near by.
 class Scene {
  public:
   Scene(const Perception& seen, const Twist& now, const KeepClear& settings, const Acceleration& limits,
@@ -88,7 +88,7 @@ class Scene {
 
   [[nodiscard]] bool is_empty() const { return others_.empty() && surfaces_.empty(); }
 
-  /// How much too near to anything the predicted trajectory comes, at worst; 0: the twist is admissible.
+  /// Largest violation along the predicted trajectory; 0: the twist is admissible.
   [[nodiscard]] double violation_m(const Twist& twist) const {
     double most = 0.0;
     const Trajectory trajectory = predict(twist);
@@ -145,8 +145,8 @@ struct Candidate {
   double cost;
 };
 
-/// Other twists, the most alike first. Of two alike the one further to the left: that is the rule for
-/// meetings.
+/// Alternative twists, most similar first. Of two equally similar ones the left one comes first, by the rule
+/// for meetings.
 std::vector<Candidate> candidates(const Twist& wanted, double slow, const KeepClear& settings) {
   const std::array<double, 6> speeds = {
       wanted.linear_mps, kOfWanted * wanted.linear_mps, slow, kOfSlow * slow, 0.0, -kOfSlow * slow};

@@ -8,26 +8,27 @@
 
 namespace caravan::agent {
 
-/// What a robot may do, and why no more.
+/// The wheel speeds that are allowed, and what limits them.
 struct Allowed {
   Wheels wheels;
-  bool surface_near = false;  ///< the wanted twist would come too near to something that is no robot
+  bool surface_near = false;  ///< the wanted twist comes too near to a surface (not a robot)
 };
 
-/// Keeps robots apart from each other and from what stands still, whatever this one is about to do.
+/// Keeps the robot clear of other robots and of surfaces, whatever it is about to do.
 ///
-/// A dynamic window (Fox, Burgard, Thrun 1997) over a small set of candidates. A twist is admissible when the
-/// robot could follow it for a moment, then brake, and would not have come too near to any robot that has
-/// told where it is and does the same. Too near is: less than KeepClear::robots_m between the bodies;
-/// or the axles so close that one could not turn on the spot beside the other. Who is too near already shall
-/// not come nearer by more than a little. The same holds for the body and the places in seen.surfaces, where
-/// 4 cm are enough: these do not move. Who touches one may drive along it.
+/// A dynamic window (Fox, Burgard, Thrun 1997) over a small set of candidates. A twist is admissible if the
+/// robot can follow it for KeepClear::command_s and then brake without coming too near to anything. Other
+/// robots of known position are assumed to keep their twist and brake likewise. Too near to a robot means:
+/// less than KeepClear::robots_m between the bodies, or axles so close that one robot could not turn in place
+/// beside the other. If a robot is too near already, the distance must not shrink by more than a little.
+/// Surfaces (seen.surfaces) need a clearance of KeepClear::surfaces_m. A robot in contact with a surface may
+/// slide along it.
 ///
-/// Returns the wanted twist when it is admissible, else the admissible one most like it, standing included;
-/// when none is, the one with the least violation. It does not drive forwards or backwards into an echo to
-/// keep clear.
+/// Returns the wanted twist if it is admissible, else the admissible candidate that is most like it, standing
+/// still included. If none is admissible, the candidate with the smallest violation. Candidates must have
+/// free space of KeepClear::echo_m in their direction of travel.
 ///
-/// @param now  the robot's twist at present
+/// @param now  current twist of the robot
 [[nodiscard]] Allowed keep_clear(const Wheels& wanted, const Twist& now, const Perception& seen,
                                  const KeepClear& settings, const Driving& driving, const Body& body);
 

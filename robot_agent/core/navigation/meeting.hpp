@@ -9,11 +9,11 @@
 
 namespace caravan::agent {
 
-/// A robot that has told where it is and that this one is about to run into.
+/// An imminent encounter with a robot of known position.
 struct Meeting {
   Neighbour with;
-  /// Distance at the closest point of approach when both keep their velocities, positive: it passes on the
-  /// left. Both robots find the same.
+  /// Signed distance at the closest point of approach if both keep their velocities; positive: the other
+  /// passes on the left. Both robots compute the same value.
   double passes_m = 0.0;
 };
 
@@ -23,11 +23,11 @@ struct Velocity {
   double speed_mps = 0.0;
 };
 
-/// The robot with the earliest closest point of approach of those that come towards this one, or stand in its
-/// way, and would pass too near. One that drives ahead in the same direction, or crosses, is not met: it is
-/// let go.
+/// Finds the robot with the earliest closest point of approach (CPA), among those that come towards this one
+/// or stand in its way and would pass too near. A robot that drives ahead in the same direction, or crosses,
+/// does not count.
 ///
-/// @param keep_clear_m  between the bodies
+/// @param keep_clear_m  required clearance between the bodies
 [[nodiscard]] std::optional<Meeting> find_meeting(const Velocity& wanted, const Perception& seen,
                                                   const MeetingRule& rule, const Body& body,
                                                   double keep_clear_m);

@@ -9,11 +9,10 @@
 
 namespace caravan::agent {
 
-/// Where the robot sees the destination; nothing when it does not.
+/// The destination, if the robot sees it.
 ///
-/// Sight is simulated by distance, as in the paper (section 3.1): within
-/// Exploration::detection_radius_m and not behind an obstacle that the sonars see. This is the only
-/// place that reads Task::destination.
+/// Sight is simulated by distance, as in the paper (section 3.1): within Exploration::detection_radius_m and
+/// not hidden by an obstacle that the sonars see.
 [[nodiscard]] std::optional<Point> sees_destination(const Perception& seen, const Task& task,
                                                     const Exploration& exploration, const Passage& passage);
 

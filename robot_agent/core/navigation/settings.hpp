@@ -37,7 +37,7 @@ struct Acceleration {
   bool operator==(const Acceleration&) const = default;
 };
 
-/// Speeds, steering, and what is too near.
+/// Speeds, steering and clearances.
 struct Driving {
   double cruise_mps = 0.975;
   double slow_mps = 0.29;
@@ -81,8 +81,8 @@ struct MeetingRule {
   bool operator==(const MeetingRule&) const = default;
 };
 
-/// Short sequences of movements without a look at the goal. A `spread` is the range of a random part, so that
-/// two robots do not mirror each other for ever.
+/// Short sequences of movements without regard to the goal. A `spread` is the range of a random part: it
+/// keeps two robots from mirroring each other.
 struct Manoeuvres {
   double speed_share = 0.6;  ///< highest speed, of the cruise speed
   double reverse_mps = 0.3;

@@ -8,7 +8,8 @@
 namespace caravan::agent {
 namespace {
 
-// A tolerance of geometry, not a clearance: what reaches less beyond the body's end is beside it.
+// Geometric tolerance, not a clearance: a surface that reaches less than this beyond the end of the body
+// counts as beside it.
 constexpr double kTolerance_m = 0.01;
 
 double turn_rate(double bearing_rad, const Driving& driving) {
@@ -76,7 +77,7 @@ double turn_from_surfaces_rad(const Perception& seen, const Driving& driving, co
 }
 
 double speed_for(double free_ahead_m, const Driving& driving) {
-  // From slow_below_m to one and a half times as far it rises to the cruise speed.
+  // Rises from slow_mps at slow_below_m to the cruise speed at one and a half times that distance.
   const double share = std::clamp(free_ahead_m / driving.slow_below_m - 1.0, 0.0, 1.0);
   return driving.slow_mps + std::min(1.0, 2.0 * share) * (driving.cruise_mps - driving.slow_mps);
 }

@@ -6,14 +6,14 @@
 
 namespace caravan::agent {
 
-/// Notices that the wheels are told to move and the robot does not: it touches something that its sonars do
-/// not see (oblique walls and corners return no echo), or its wheels slip.
+/// Detects a robot that does not move despite commands: it touches something that its sonars do not see
+/// (oblique walls and corners return no echo), or its wheels slip.
 class StuckMonitor {
  public:
-  /// To be called in every step with what was commanded in the step before.
-  /// @return true when the robot has not moved although it should have; it then starts afresh
+  /// Call in every step with the command of the previous step.
+  /// @return true when the robot is stuck; the measurement then starts anew
   bool update(const Perception& seen, const Wheels& commanded, const Recovery& recovery, double track_m);
-  /// Forgets what was: the robot was not driving.
+  /// Restarts the measurement: the robot was not driving.
   void reset() { anchored_ = false; }
 
  private:

@@ -13,7 +13,7 @@ struct Twist {
 
 [[nodiscard]] Twist twist_of(const Wheels& wheels, double track_m);
 
-/// The twist some seconds later when the wheels are told to bring it to `wanted`, limited by acceleration.
+/// The twist after some seconds of a command that leads to `wanted`, with limited acceleration.
 [[nodiscard]] Twist approaching(const Twist& now, const Twist& wanted, double seconds,
                                 const Acceleration& limits);
 

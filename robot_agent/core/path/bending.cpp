@@ -11,16 +11,16 @@
 namespace caravan::agent {
 namespace {
 
-constexpr double kTolerated_m = 0.05;  // of geometry: a path on the circle is not in the way again
-constexpr int kMostRounds = 3;         // a bound on time; circles may overlap
-constexpr double kPiece_rad = 0.25 * std::numbers::pi;  // the shape of the bend: an octagon
+constexpr double kTolerated_m = 0.05;                   // geometric: a path on the circle is not bent again
+constexpr int kMostRounds = 3;                          // bounds the time: circles may overlap
+constexpr double kPiece_rad = 0.25 * std::numbers::pi;  // the bend is part of an octagon
 
 struct Crossing {
   std::size_t segment = 0;
   Point at{0.0, 0.0};
 };
 
-/// Where the segment from `a` to `b` goes into the circle, or out of it.
+/// The point where the segment from `a` to `b` enters the circle (`in`), or leaves it.
 std::optional<Point> crosses(const Point& a, const Point& b, const Point& centre, double radius_m, bool in) {
   const Point along = b - a;
   const double squared = along.squaredNorm();
@@ -40,7 +40,7 @@ std::optional<Crossing> find_crossing(const Path& path, std::size_t from, const 
   return std::nullopt;
 }
 
-/// The polygon around the circle from one point on it to another, both included.
+/// The polygon around the circle between two points on it, both included.
 Path polygon(const Point& centre, double radius_m, const Point& from, const Point& to) {
   const double begin = angle_of(from - centre);
   const double turn = wrapped(angle_of(to - centre) - begin);
@@ -55,7 +55,7 @@ Path polygon(const Point& centre, double radius_m, const Point& from, const Poin
   return result;
 }
 
-/// Leads the path round one place. @return true when it was in the way
+/// Bends the path round one place. @return true when it was in the way
 bool bend(Bend& bend, std::size_t from, const Point& place, double clear_m) {
   Path& path = bend.path;
   std::size_t after = from;

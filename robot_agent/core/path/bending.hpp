@@ -14,12 +14,13 @@ struct Bend {
   std::size_t last = 0;   ///< vertex of the new path at which it ends
 };
 
-/// Leads a path round places that are in its way: where it comes nearer than `clear_m` to one, it follows a
-/// polygon around the circle of this radius, on the shorter side. Where it begins or ends in such a circle
-/// it stays as it is.
+/// Bends a path round places in its way. Where the path comes nearer than `clear_m` to a place, it follows a
+/// polygon around the circle of that radius, on the shorter side. A path that begins or ends inside such a
+/// circle is not changed there.
 ///
-/// @param from  vertex before which the path stays as it is
-/// @return nothing when no place is in the way. @pre at least two vertices, from + 1 < path.size()
+/// @param from  vertices up to this one stay
+/// @return none when no place is in the way
+/// @pre from + 1 < path.size() and clear_m > 0
 [[nodiscard]] std::optional<Bend> bent_round(const Path& path, std::size_t from,
                                              std::span<const Point> places, double clear_m);
 

@@ -15,7 +15,7 @@ bool has_passed(const Point& from, const Point& to, const Point& p_WB, double pa
   return (p_WB - to).dot(to - from) >= 0.0;
 }
 
-/// The end of the stretch of path in which a robot that has lost it looks.
+/// Index of the last vertex in which a robot that has lost the path searches for it.
 std::size_t end_of_search(std::span<const Point> path, std::size_t next, double ahead_m) {
   double length = 0.0;
   std::size_t i = next;

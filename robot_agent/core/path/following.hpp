@@ -8,19 +8,19 @@
 
 namespace caravan::agent {
 
-/// Algorithm 1, line 12: moving to the next location in the path. The path is in the order of travel, at
-/// least two vertices; `next` is the index of the vertex that the robot drives to, 1 or more.
+/// Algorithm 1, line 12: moving to the next location in the path. The path is in the order of travel and has
+/// at least two vertices; `next` is the index of the vertex that the robot drives to, at least 1.
 
-/// The index to drive to after the vertices that the robot at `p_WB` has passed. A robot that was pushed off
-/// its path picks it up again where it is nearest, not far from `next`.
+/// The new `next` after the vertices that the robot has passed. A robot farther from its path than
+/// PathFollowing::lost_m rejoins it at the nearest point within a range around `next`.
 [[nodiscard]] std::size_t next_location(std::span<const Point> path, std::size_t next, const Point& p_WB,
                                         const PathFollowing& settings);
 
-/// The same when nothing is known of where the robot is on the path.
+/// Like next_location(), for a robot whose progress on the path is unknown: searches the whole path.
 [[nodiscard]] std::size_t nearest_location(std::span<const Point> path, const Point& p_WB);
 
-/// The look-ahead point of pure pursuit (Coulter 1992): where to steer, a little ahead along the path, but
-/// never round a sharp corner.
+/// The look-ahead point of pure pursuit (Coulter 1992): the point to steer to, ahead on the path, but not
+/// beyond a sharp corner.
 [[nodiscard]] Point look_ahead_point(std::span<const Point> path, std::size_t next, const Point& p_WB,
                                      const PathFollowing& settings);
 

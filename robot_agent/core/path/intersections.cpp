@@ -9,11 +9,11 @@
 namespace caravan::agent {
 namespace {
 
-/// Rounding a point to the 1 mm grid moves it by up to 0.71 mm, so a path through it grows by up to 1.42 mm.
-/// The rest of the 2 mm is there so that rounding in sums of lengths never makes a change look worthwhile.
+/// Rounding a point to the 1 mm grid moves it by up to 0.71 mm: a path through it grows by up to 1.42 mm. The
+/// rest of the 2 mm covers rounding errors in sums of lengths.
 constexpr double kChange_m = 0.002;
 
-/// A segment with its bounding box, grown so that what touches it is inside.
+/// A segment with its bounding box, enlarged by kTouch_m.
 struct Segment {
   std::size_t index;
   Point from, to;
@@ -51,7 +51,7 @@ Place at_vertex(const Segment& segment, std::size_t end) {
   return {segment.arc_m + (end == 1 ? (segment.to - segment.from).norm() : 0.0), vertex, vertex + 1};
 }
 
-/// A crossing of the insides of both. Vertices on a segment are left to touch().
+/// A crossing strictly inside both segments. Vertices on a segment are found by touch().
 std::optional<Intersection> crossing(const Segment& a, const Segment& b) {
   const Point u = a.to - a.from;
   const Point v = b.to - b.from;
@@ -64,7 +64,7 @@ std::optional<Intersection> crossing(const Segment& a, const Segment& b) {
                       kChange_m};
 }
 
-/// Where on `segment` the vertex is, when it is near enough.
+/// The nearest point of `segment` to the vertex, if within kTouch_m.
 struct Touch {
   double fraction;
   double distance_m;
@@ -79,8 +79,8 @@ std::optional<Touch> touch(const Point& vertex, const Segment& segment) {
   return Touch{fraction, distance_m};
 }
 
-/// Adds what two segments have in common. Each vertex is looked at with the segment that it ends, the path's
-/// first one with the segment that it begins.
+/// Adds the intersections of two segments. Each vertex is checked with the segment that ends at it, the first
+/// vertex of a path with the segment that begins at it.
 void add(const Segment& a, const Segment& b, std::vector<Intersection>& found) {
   if (const auto proper = crossing(a, b)) found.push_back(*proper);
   for (const std::size_t end : {0U, 1U}) {

@@ -10,16 +10,16 @@
 namespace caravan::agent {
 namespace {
 
-constexpr std::size_t kMostIntersections = 100000;  // a bound on time and memory; honest paths have hundreds
+constexpr std::size_t kMostIntersections = 100000;  // bounds time and memory; real paths have hundreds
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-/// The best way to reach something: its length, and the intersection at which it last changed paths.
+/// The best way to some place: its length, and the intersection of its last change of paths.
 struct Way {
   double length_m = 0.0;
   std::size_t changed_at = kNone;  // kNone: never
 };
 
-/// Prefix minimum over positions along a path, a Fenwick tree: which earlier change is best to have made.
+/// The best earlier change: prefix minimum over positions along a path, as a Fenwick tree.
 class BestChange {
  public:
   explicit BestChange(std::size_t positions) : tree_(positions + 1, Way{kNever, kNone}) {}
@@ -28,7 +28,7 @@ class BestChange {
       if (way.length_m < tree_[node].length_m) tree_[node] = way;
     }
   }
-  /// The best of those at or before `position`.
+  /// The best at or before `position`.
   [[nodiscard]] Way best(std::size_t position) const {
     Way way{kNever, kNone};
     for (std::size_t node = position + 1; node > 0; node -= node & (~node + 1)) {
@@ -42,7 +42,7 @@ class BestChange {
   std::vector<Way> tree_;
 };
 
-/// Rank of each intersection's place along `b`; equal places share one.
+/// Rank of each intersection along `b`; equal positions share a rank.
 std::vector<std::size_t> ranks_on_b(const std::vector<Intersection>& meetings) {
   std::vector<double> arcs;
   arcs.reserve(meetings.size());
@@ -57,15 +57,15 @@ std::vector<std::size_t> ranks_on_b(const std::vector<Intersection>& meetings) {
   return ranks;
 }
 
-/// Where to change, in order, and on which path to begin.
+/// The changes of paths, in order, and the path to begin on.
 struct Plan {
   bool begins_on_a = true;
   std::vector<std::size_t> changes;
 };
 
-/// The shortest way along both paths that changes at intersections in the same order along both: a dynamic
-/// programme over the intersections. For a given chain of intersections it takes the shorter section between
-/// any two, as Algorithm 7 does; of all chains in order it takes the best.
+/// The shortest way along both paths that changes at intersections in the same order along both, by dynamic
+/// programming over the intersections. Between two consecutive intersections of a chain it takes the shorter
+/// section, as Algorithm 7 does; of all ordered chains it takes the best.
 class Planner {
  public:
   Planner(const std::vector<Intersection>& meetings, double length_a_m, double length_b_m)
@@ -88,7 +88,7 @@ class Planner {
   }
 
  private:
-  /// The way to `arc_m` along a path: from its beginning, or from the best change to it.
+  /// The way to `arc_m` along a path: from its beginning, or from the best change onto it.
   static Way extended(const Way& change, double arc_m) {
     return change.length_m < 0.0 ? Way{change.length_m + arc_m, change.changed_at} : Way{arc_m, kNone};
   }
@@ -106,7 +106,7 @@ class Planner {
   const std::vector<Intersection>& meetings_;
   double length_a_m_;
   double length_b_m_;
-  std::vector<Way> on_a_;  // the best way to each intersection, arriving along a
+  std::vector<Way> on_a_;  // best way to each intersection, arriving along a
   std::vector<Way> on_b_;
 };
 
@@ -136,7 +136,7 @@ bool ends_meet(const Path& a, const Path& b) {
   return (a.front() - b.front()).norm() <= kTouch_m && (a.back() - b.back()).norm() <= kTouch_m;
 }
 
-/// An order of paths that both partners agree on: by length, then vertex by vertex.
+/// A total order of paths that both partners agree on: by length, then vertex by vertex.
 bool comes_first(const Path& one, const Path& other) {
   const double length_one_m = length_m(one);
   const double length_other_m = length_m(other);
@@ -168,7 +168,8 @@ Path merge(const Path& own, const Path& other) {
   Plan plan = Planner{*meetings, shorter_m, length_m(longer)}.plan();
   if (plan.changes.empty()) return shorter;
   Path result = followed(plan, *meetings, shorter, longer);
-  // By construction it is shorter by at least 0.5 mm for each change; a sum of lengths may still round.
+  // By construction each change saves at least 0.5 mm. The comparison guards against rounding in sums of
+  // lengths.
   return length_m(result) <= shorter_m ? result : shorter;
 }
 

@@ -9,7 +9,7 @@
 namespace caravan::agent {
 namespace {
 
-/// Where two segments cross, if they do; ends included, parallels excluded.
+/// The crossing of two segments, ends included; none for parallels.
 std::optional<Point> crossing(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Point r = b - a;
   const Point s = d - c;
@@ -56,8 +56,8 @@ Path without_loops(const Path& path) {
   while (i + 1 < path.size()) {
     const Point from = result.back();
     std::optional<Point> cut;
-    std::size_t behind = i + 1;  // the vertex that follows `from`, or the cut
-    // The last segment that crosses this one: the longest loop goes at once.
+    std::size_t behind = i + 1;  // vertex after `from`, or after the cut
+    // The last segment that crosses this one: removes the longest loop at once.
     for (std::size_t j = path.size() - 2; j > i + 1 && !cut; --j) {
       cut = crossing(from, path[i + 1], path[j], path[j + 1]);
       if (cut) behind = j + 1;

@@ -6,17 +6,17 @@
 
 namespace caravan::agent {
 
-/// The path that an exploring robot leaves behind it: the source, where it started, then where it came.
+/// Records the path of an exploring robot, from the source.
 ///
-/// A vertex every RecordingSettings::spacing_m, and one where the robot turned sharply, so that the polyline
-/// is what it drove. Nothing is removed while it explores.
+/// Adds a vertex every RecordingSettings::spacing_m, and where the robot turned sharply: the polyline follows
+/// what it drove. Nothing is removed while it explores.
 class Recording {
  public:
   Recording(const Point& source, const RecordingSettings& settings);
 
-  /// The robot is here now, heading in W.
+  /// Adds the robot's pose.
   void visit(const Point& p_WB, double yaw_WB_rad);
-  /// The whole path with its last vertex where the destination is.
+  /// The whole path, closed by the destination as its last vertex.
   [[nodiscard]] Path finished_at(const Point& p_WB, const Point& destination) const;
   [[nodiscard]] const Path& so_far() const { return path_; }
 
@@ -27,8 +27,8 @@ class Recording {
   double last_yaw_WB_rad_ = 0.0;  // at the last vertex
 };
 
-/// The same path without its loops: where it crosses itself the part in between is cut out. Both branches
-/// were driven up to the crossing, so what is left was driven, too.
+/// The path without its loops: where it crosses itself, the section in between is removed. Both branches were
+/// driven up to the crossing, so the rest of the path has been driven.
 [[nodiscard]] Path without_loops(const Path& path);
 
 }  // namespace caravan::agent

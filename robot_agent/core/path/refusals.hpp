@@ -5,21 +5,22 @@
 
 namespace caravan::agent {
 
-/// Shortcuts that turned out to be blocked, and the places where the robot touched what its sonars did not
-/// see. Neither is tried again for a while.
+/// Shortcuts that were blocked, and places where the robot touched something its sonars did not see. They are
+/// not tried again for a time.
 class Refusals {
  public:
-  /// @param alike_m  between the ends of two shortcuts that count as the same
-  /// @param touch_room_m  kept from a place of touch
+  /// @param alike_m  distance of the ends below which two shortcuts count as the same
+  /// @param touch_room_m  clearance of a shortcut from a place of touch
   Refusals(double alike_m, double touch_room_m) : alike_m_{alike_m}, touch_room_m_{touch_room_m} {}
 
-  /// The shortcut between two points was blocked.
+  /// Refuses the shortcut between two points, because it was blocked.
   void refuse(const Point& from, const Point& to, Time until);
-  /// The robot touched something here.
+  /// Refuses shortcuts past this place, because the robot touched something there.
   void touched(const Point& at, Time until);
-  /// Forgets what is over.
+  /// Removes expired entries.
   void forget(Time now);
-  /// True when this shortcut, in either direction, is much like a refused one or leads past a place of touch.
+  /// True when the shortcut, in either direction, is like a refused one or passes too near to a place of
+  /// touch.
   [[nodiscard]] bool refuses(const Point& from, const Point& to, Time now) const;
 
  private:

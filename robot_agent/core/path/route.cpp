@@ -127,13 +127,13 @@ bool Route::bend_round(std::span<const Point> places, double clear_m, const Poin
 Route::Ends Route::restore(const Point& p_WB) {
   CARAVAN_ASSERT(provisional_.has_value());
   Ends blocked = provisional_->latest;
-  // Back on what was driven of the shortcut, to the vertex where it left the old path.
+  // Return along what was driven of the shortcut, to the vertex where it left the old path.
   const auto first = plan_.begin() + static_cast<std::ptrdiff_t>(provisional_->first);
   std::vector<Point> back(
       first, plan_.begin() + static_cast<std::ptrdiff_t>(std::max(next_, provisional_->first + 1)));
   const Point left_at = back.front();
   const Point leads_to = plan_[provisional_->last];
-  // `back` is passed from its end.
+  // `back` is passed from its last element.
   plan_from_driven();
   next_ = nearest_location(plan_, left_at);
   const std::span ahead = std::span{plan_}.subspan(next_ - 1);
@@ -149,7 +149,7 @@ void Route::rejoin(const Point& p_WB) {
 }
 
 void Route::turn_round(const Point& p_WB) {
-  // An end may come near before the shortcut's does: then it has not been driven.
+  // An end may come near before a shortcut's end does: that shortcut has not been driven.
   if (remaining_m(p_WB) < following_.end_m && back_.empty()) confirm();
   driven_ = without_loops(driven_);
   towards_destination_ = !towards_destination_;
@@ -160,7 +160,7 @@ void Route::turn_round(const Point& p_WB) {
 void Route::replace(Path driven, const Point& p_WB) {
   CARAVAN_ASSERT(driven.size() >= 2);
   if (provisional_) restore(p_WB);
-  // Along the old path up to where it meets the new one; both have the same end.
+  // Follow the old path until it meets the new one; both have the same end.
   std::vector<Point> way(back_.rbegin(), back_.rend());
   const Path old = plan_;
   const std::size_t old_next = next_;

@@ -7,11 +7,11 @@
 
 namespace caravan::agent {
 
-/// The path of a robot in transport mode, and how far it has come on it.
+/// The path of a robot in transport mode, and its progress on the path.
 ///
-/// `driven` holds only what has been driven, by this robot or by one that gave it: the path that is given to
-/// others. `plan` is what the robot follows, in the order of travel: the driven path, but for shortcuts that
-/// are still provisional. Their old sections live on in `driven` until the new ones have been driven.
+/// `driven` contains only what has been driven, by this robot or by the one that gave it; it is what other
+/// robots receive. `plan` is what the robot follows, in the order of travel: the driven path, with shortcuts
+/// that are still provisional. `driven` keeps the old sections until the new ones have been driven.
 class Route {
  public:
   /// @param driven from the source to the destination, at least two vertices
@@ -22,37 +22,38 @@ class Route {
   [[nodiscard]] bool towards_destination() const { return towards_destination_; }
   [[nodiscard]] const Point& end() const { return plan_.back(); }
   [[nodiscard]] bool is_provisional() const { return provisional_.has_value(); }
-  /// How far the robot has come on shortcuts that are provisional; 0 when there are none.
+  /// Distance driven on provisional shortcuts; 0 without one.
   [[nodiscard]] double provisional_m() const;
-  /// False while the robot is on its way back to the path, and after a blocked shortcut until the old section
-  /// lies behind it: whatever goes wrong, it comes forward.
+  /// False while the robot returns to the path. After a blocked shortcut also until it has passed the old
+  /// section: this guarantees progress.
   [[nodiscard]] bool may_shorten() const { return back_.empty() && next_ > keeps_until_; }
   [[nodiscard]] Ahead ahead() const { return {plan_, to_end_m_, next_}; }
-  /// Distance of the robot from the section that it drives on.
+  /// Distance of the robot from the current segment of the plan.
   [[nodiscard]] double off_path_m(const Point& p_WB) const;
-  /// Way still to go to the end.
+  /// Distance still to drive to the end.
   [[nodiscard]] double remaining_m(const Point& p_WB) const;
 
-  /// The robot is here now. @return true when it has driven a provisional shortcut to its end
+  /// Updates the progress. @return true when a provisional shortcut has been driven to its end
   bool advance(const Point& p_WB);
-  /// Where to steer: the look-ahead point, or the next point of the way back.
+  /// The point to steer to: the look-ahead point, or the next point of the way back.
   [[nodiscard]] Point goal(const Point& p_WB) const;
 
-  /// Takes a shortcut from where the robot is, provisionally.
+  /// Takes a shortcut from the robot's position to a candidate, provisionally.
   void shorten(const Point& p_WB, std::size_t candidate, double spacing_m, double merge_m);
-  /// Leads the plan ahead round places that are in its way, provisionally. @return true when one is
+  /// Bends the plan ahead round places in its way, provisionally. @return true when it was bent
   bool bend_round(std::span<const Point> places, double clear_m, const Point& p_WB);
   struct Ends {
     Point from, to;
   };
-  /// Gives the provisional shortcut up and brings the old section back. The robot returns on what it drove.
-  /// @return its latest shortcut, that which was blocked. @pre is_provisional()
+  /// Abandons the provisional shortcut and restores the old section. The robot returns along what it drove of
+  /// the shortcut.
+  /// @return the latest shortcut, which was blocked. @pre is_provisional()
   Ends restore(const Point& p_WB);
-  /// Drops what is provisional and picks the path up where it is nearest: the robot has wandered.
+  /// Discards what is provisional and joins the path at its nearest point, after exploration.
   void rejoin(const Point& p_WB);
-  /// At an end: a shortcut that leads there counts as driven, loops go, and the way leads back.
+  /// At an end of the path: confirms a shortcut that leads there, removes loops, and reverses direction.
   void turn_round(const Point& p_WB);
-  /// A better path with the same ends: adopted; the robot stays on the old one until it meets the new.
+  /// Adopts a better path with the same ends. The robot follows the old one until it meets the new one.
   void replace(Path driven, const Point& p_WB);
 
  private:
@@ -72,8 +73,8 @@ class Route {
   bool towards_destination_;
   std::size_t next_ = 1;
   std::optional<Provisional> provisional_;
-  std::size_t keeps_until_ = 0;  // vertex of the plan up to which no shortcut is taken
-  std::vector<Point> back_;  // points to pass before the plan is picked up at next_; the last one is first
+  std::size_t keeps_until_ = 0;  // no shortcut is taken up to this vertex of the plan
+  std::vector<Point> back_;      // points to pass before the plan continues at next_; last one first
 };
 
 }  // namespace caravan::agent

@@ -28,7 +28,7 @@ struct PathFollowing {
   double lost_m = 0.75;               ///< distance from the path at which the robot searches for it again
   std::uint32_t search_back = 3;      ///< range of this search: vertices back
   double search_ahead_m = 6.0;        ///< and distance ahead
-  double pick_up_m = 0.6;             ///< distance at which the old section is joined before that
+  double pick_up_m = 0.6;             ///< distance from the old section at which it is joined earlier
   double end_m = 2.0;  ///< from the end of the path, at which a shortcut to it counts as driven
 
   bool operator==(const PathFollowing&) const = default;
@@ -37,13 +37,13 @@ struct PathFollowing {
 /// Algorithm 4.
 struct Smoothing {
   double vision_radius_m = 6.0;           ///< vertices within it are candidates
-  double gain_m = 0.05;                   ///< a shortcut that saves less is not worth it
+  double gain_m = 0.05;                   ///< smallest saving of a shortcut
   Time pause = std::chrono::minutes{10};  ///< before a shortcut that was blocked is tried again
   double interval_m = 0.25;               ///< distance driven between two searches
   double on_path_m = 0.6;                 ///< largest distance from the path at which a shortcut begins
   double merge_m = 0.3;                   ///< a vertex this near behind its beginning is left out
-  double nested_gain_m = 0.4;             ///< of a shortcut on a shortcut, which delays when all are driven
-  double provisional_m = 8.0;             ///< with a longer provisional section, none is added
+  double nested_gain_m = 0.4;             ///< the same of a shortcut on a shortcut: it delays confirmation
+  double provisional_m = 8.0;  ///< no shortcut is added beyond this length of the provisional section
   double alike_m = 1.0;        ///< distance of the ends below which two shortcuts count as the same
   double touch_room_m = 0.45;  ///< clearance of a shortcut from a place of touch
   double bend_room_m = 0.05;   ///< clearance of a bend from a touched obstacle, beyond half the corridor

@@ -11,10 +11,10 @@
 namespace caravan::agent {
 namespace {
 
-// Candidates whose way is looked at, without allocation; the best are first, so what is left out gains least.
+// Number of candidates whose way is checked. They are tried in the order of their saving.
 constexpr std::size_t kMostTried = 8;
 
-/// The best few by gain, best first, without allocation.
+/// The candidates that save most, best first; allocates no memory.
 class BestFew {
  public:
   void offer(const Shortcut& shortcut) {

@@ -26,11 +26,11 @@ struct Communication::Impl {
   std::optional<Transfer> transfer;  // while InSession
   Contacts contacts;
   Time next_wait{0};
-  std::optional<Whereabouts> told;  // in the last WAIT
+  std::optional<Whereabouts> told;  // as reported in the last WAIT
   Time told_at{0};
-  std::optional<Time> robot_heard;  // when last
-  Channel listened;                 // the channel that the present step's frames were heard on
-  std::vector<Refuse> refusals;     // of the present step
+  std::optional<Time> robot_heard;  // when a robot was last received
+  Channel listened;                 // the channel that this step's frames were received on
+  std::vector<Refuse> refusals;     // of this step
 
   explicit Impl(const CommunicationSettings& settings)
       : id{settings.id},
@@ -68,7 +68,7 @@ struct Communication::Impl {
   void send_wait(const AirInputs& inputs, AirOutputs& outputs);
   void send_for_state(Send send, const AirInputs& inputs, AirOutputs& outputs);
   void send_rejections(Time now, AirOutputs& outputs);
-  /// Not where it should be by what it told, with somebody near who goes by that.
+  /// The robot is off the pose that its last WAIT predicts, and another robot may rely on that pose.
   [[nodiscard]] bool strays(const AirInputs& inputs) const;
   [[nodiscard]] Channel tuned() const;
   [[nodiscard]] bool is_robot_near(Time now) const;
@@ -133,7 +133,7 @@ void Communication::Impl::hear_fragment(const PathFragment& fragment, const AirI
   apply(FragmentHeard{fragment.from, fragment.session, crossed}, inputs, outputs);
 }
 
-/// Takes over what the state machine decides, and keeps a transfer exactly while a session is open.
+/// Applies the decision of the state machine. A transfer exists exactly while a session is open.
 Send Communication::Impl::apply(const PairingEvent& event, const AirInputs& inputs, AirOutputs& outputs) {
   const Decision decision = pairing.advance(state, event, inputs.now);
   if (decision.outcome) conclude(*decision.outcome, outputs);
@@ -226,7 +226,7 @@ Channel Communication::Impl::tuned() const {
                     state);
 }
 
-/// Robots are silent to one who listens elsewhere, and between their WAITs.
+/// Receivers get no WAIT while tuned away, nor between two WAITs.
 bool Communication::Impl::is_robot_near(Time now) const {
   const Time remembered = listened == kCommonChannel ? Time{wait.period} : wait.remembered_away;
   return robot_heard && now - *robot_heard <= remembered;

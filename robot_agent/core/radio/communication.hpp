@@ -11,7 +11,6 @@
 
 namespace caravan::agent {
 
-/// What a Communication goes by.
 struct CommunicationSettings {
   RobotId id{1};
   SharingSettings sharing{};
@@ -19,35 +18,35 @@ struct CommunicationSettings {
   Air air{};
 };
 
-/// What the radio side of an agent needs to know in a step.
+/// Inputs of the radio side in one step.
 struct AirInputs {
   Time now{0};
   std::span<const ReceivedFrame> heard;
   /// The path to give: driven sections only. Empty: this robot has none (mode EXPLORE).
   const Path& own_path;
-  /// Where this robot is and how it moves; told in WAIT.
+  /// Position and motion of this robot, to be reported in WAIT.
   std::optional<Whereabouts> whereabouts{};
 };
 
-/// What it decides.
+/// Outputs of the radio side in one step.
 struct AirOutputs {
   std::vector<Frame> frames;  ///< WAIT first, then at most one negotiation or session frame, then rejections
   Channel tuned;
-  bool stand_still = false;  ///< negotiating or in session: the robot must stop
-  /// Another robot was heard in this step; one heard before is remembered for one WAIT period, and for 0.2 s
-  /// while tuned away.
+  bool stand_still = false;  ///< the robot is negotiating or in session, and must stop
+  /// Another robot was received in this step or recently: within one WAIT period, or within
+  /// WaitSettings::remembered_away while tuned away.
   bool robot_near = false;
-  std::vector<Wait> robots;      ///< the WAITs heard in this step
-  std::optional<Path> received;  ///< a partner's whole path, once, when it is complete
+  std::vector<Wait> robots;      ///< WAITs received in this step
+  std::optional<Path> received;  ///< the partner's whole path, once, when the exchange is complete
   std::vector<Exchange> ended;   ///< attempts that ended in this step
-  std::uint32_t malformed = 0;   ///< frames heard in this step that are not of the protocol
+  std::uint32_t malformed = 0;   ///< received frames that are not of the protocol
 };
 
-/// The radio side of an agent: presence (WAIT), pairing (Algorithms 5 and 6) and path exchange.
+/// The radio side of an agent: presence (WAIT), pairing (Algorithms 5 and 6) and exchange of paths.
 /// docs/protocol.md is normative.
 ///
-/// Presence works in every sharing mode; pairing begins at SharingSettings::starts. Whatever arrives, or does
-/// not, it stands still for at most accept_attempts * accept_period + session_timer at a time.
+/// Presence works in every sharing mode; pairing begins at SharingSettings::starts. Whatever is received, the
+/// robot stands still for at most accept_attempts * accept_period + session_timer at a time.
 class Communication {
  public:
   explicit Communication(const CommunicationSettings& settings);

@@ -25,12 +25,13 @@ struct WaitSettings {
   double stray_m = 0.1;     ///< error of the reported position that causes an early WAIT
   double stray_rad = 0.3;   ///< the same of the heading
   Time stray_pause = std::chrono::milliseconds{100};      ///< shortest time before an early WAIT
-  Time remembered_away = std::chrono::milliseconds{200};  ///< a received robot, while tuned away
+  Time remembered_away = std::chrono::milliseconds{200};  ///< a robot counts as near, while tuned away
 
   bool operator==(const WaitSettings&) const = default;
 };
 
-/// Algorithms 5 to 7: with which robot, when and how paths are exchanged. docs/protocol.md, section "Timers".
+/// Algorithms 5 to 7: with which robot, when and how paths are exchanged. Timers: docs/protocol.md, section
+/// "Timers".
 struct SharingSettings {
   Sharing mode = Sharing::kFull;
   bool stop_to_exchange = true;  ///< false: drives on while it negotiates and exchanges
@@ -40,8 +41,8 @@ struct SharingSettings {
   std::uint32_t accept_attempts = 8;
   Time session_timer = std::chrono::seconds{10};
   std::uint32_t points_per_frame = 20;
-  Time silence = std::chrono::seconds{2};        ///< of a partner that is gone, plus two WAIT periods
-  Time linger = std::chrono::milliseconds{500};  ///< END is repeated for at most this long
+  Time silence = std::chrono::seconds{2};        ///< of a partner that counts as gone, plus two WAIT periods
+  Time linger = std::chrono::milliseconds{500};  ///< longest time in which END is repeated
   Time rest = std::chrono::seconds{1};           ///< after a failed attempt: no pairing with any robot
   Time hold = std::chrono::seconds{30};          ///< after a failed attempt: no pairing with the same robot
   Time reject_period = std::chrono::seconds{1};  ///< between two REJECTs to one robot

@@ -10,7 +10,7 @@
 namespace caravan::agent {
 namespace {
 
-constexpr double kFarthest_m = 1.0e6;  // from the origin; a frame holds millimetres in 32 bits
+constexpr double kFarthest_m = 1.0e6;  // from the origin; a frame has 32-bit millimetres
 
 std::int16_t thousandths(double value) {
   constexpr double kMost = std::numeric_limits<std::int16_t>::max();

@@ -6,7 +6,7 @@
 
 namespace caravan::agent {
 
-/// Another robot near by, where it is now as far as it told.
+/// Another robot near by: its reported pose and twist, extrapolated to the present.
 struct Neighbour {
   RobotId id;
   Point p_WB{0.0, 0.0};
@@ -15,18 +15,18 @@ struct Neighbour {
   double turn_radps = 0.0;  ///< counter-clockwise positive
 };
 
-/// Where a robot is and how it moves, so long after it told so in a WAIT, if it moves on as it told.
+/// The pose and twist of a robot some time after its WAIT, if it keeps the reported twist.
 [[nodiscard]] Neighbour carried_on(RobotId robot, const Whereabouts& told, Time after);
 
-/// Remembers the whereabouts told in WAITs and carries them on to the present.
+/// Stores the poses and twists reported in WAITs, and extrapolates them to the present.
 class Neighbours {
  public:
   /// @param wait_period  longest time between two WAITs of a robot
   Neighbours(const NeighbourMemory& memory, Time wait_period);
 
-  /// @param sent when it was where it says
+  /// @param sent  time of the reported pose
   void hear(const Wait& wait, Time sent);
-  /// Those heard not long ago, moved on at the speed that they told, by id.
+  /// Robots received recently, extrapolated by their reported twist, sorted by id.
   [[nodiscard]] std::vector<Neighbour> now(Time now);
 
  private:
@@ -39,7 +39,7 @@ class Neighbours {
   std::vector<Told> told_;  // by id
 };
 
-/// What a robot tells of itself. Positions beyond what the frame holds are not told.
+/// What a robot reports of itself. None when its pose is unknown or too far from the origin for a frame.
 [[nodiscard]] std::optional<Whereabouts> whereabouts_of(const Sensors& sensors, double speed_mps,
                                                         double turn_radps);
 

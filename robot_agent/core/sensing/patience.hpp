@@ -5,11 +5,12 @@
 
 namespace caravan::agent {
 
-/// Notices a robot that gets nowhere. What it remembers within forget_radius_m() may be wrong then.
+/// Detects a robot that makes no progress. Places that it remembers within forget_radius_m() may then be
+/// wrong.
 class Patience {
  public:
   explicit Patience(const PatienceSettings& settings) : settings_{settings} {}
-  /// To be called in every step. @return true when the robot has not come on for so long; then anew
+  /// Call in every step. @return true once per PatienceSettings::timeout without progress
   [[nodiscard]] bool is_lost(const Perception& seen) {
     if (seen.distance_to(got_to_) > settings_.somewhere_m) {
       got_to_ = seen.p_WB;

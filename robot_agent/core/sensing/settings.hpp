@@ -31,7 +31,7 @@ struct Passage {
 
 /// Other robots, as their WAITs report.
 struct NeighbourMemory {
-  Time presence = std::chrono::milliseconds{200};       ///< of a received robot; 1.2 WAIT periods at least
+  Time presence = std::chrono::milliseconds{200};       ///< of a received robot; at least 1.2 WAIT periods
   Time duration = std::chrono::milliseconds{400};       ///< of a reported position; likewise
   Time extrapolation = std::chrono::milliseconds{200};  ///< how long it is assumed to move on
   double echo_m = 0.1;          ///< an echo this near to a robot's body is caused by it

@@ -6,7 +6,7 @@
 namespace caravan::agent {
 namespace {
 
-// A bound on memory, not on behaviour: the walls of a large hall have fewer places.
+// Bounds the memory: the walls of a large hall have fewer places.
 constexpr std::size_t kMost = 20000;
 
 bool within(const Point& a, const Point& b, double distance_m) {

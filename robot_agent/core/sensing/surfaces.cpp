@@ -8,14 +8,14 @@
 namespace caravan::agent {
 namespace {
 
-// Of the body's width: close enough together that the robot does not drive between two of them.
+// Shares of the body's width: too close together for the robot to drive between two of them.
 constexpr std::array<double, 5> kAcrossTheFront = {-0.5, -0.25, 0.0, 0.25, 0.5};
 
 bool within(const Point& a, const Point& b, double distance_m) {
   return (a - b).squaredNorm() < distance_m * distance_m;
 }
 
-/// From frame B to W, without the offset.
+/// Rotates a vector from frame B to W.
 Point turned(const Point& v_B, const Point& ahead_W) {
   return v_B.x() * ahead_W + v_B.y() * Point{-ahead_W.y(), ahead_W.x()};
 }
@@ -31,7 +31,7 @@ Surfaces::Surfaces(const SurfaceMemory& memory, const PatienceSettings& patience
 void Surfaces::see(const Perception& seen) {
   forget(seen);
   extended_.clear();
-  // A robot that does not tell where it is looks like any other thing.
+  // A robot without a reported position is indistinguishable from other things.
   if (seen.robot_near && seen.robots.empty()) return;
   const Point ahead = direction(seen.yaw_WB_rad);
   for (const Echo& echo : seen.still.echoes()) {

@@ -11,28 +11,26 @@
 
 namespace caravan::agent {
 
-/// Remembers where something that is no robot stood near by.
+/// Remembers surfaces near by that are not robots.
 ///
-/// Corners and oblique walls return no echo, but the walls that meet in a corner did so a moment before the
-/// robot came beside it, and a wall that a sonar has followed goes on for a little. So what is known of a
-/// place is more than what the sonars say at this moment. It is a belief of seconds; what lasts longer, for
-/// SurfaceMemory::duration, comes from a map. A robot that gets nowhere forgets what the map holds around
-/// it.
+/// Corners and oblique walls return no echo. But the walls that meet in a corner did so before the robot came
+/// beside it, and a wall that a sonar has followed is likely to go on a little. Such places are kept for
+/// SurfaceMemory::recent, and in a map for SurfaceMemory::duration. A robot without progress forgets what the
+/// map has around it.
 class Surfaces {
  public:
-  /// @param recognises_high  is_high() is asked for
+  /// @param recognises_high  whether is_high() will be used
   Surfaces(const SurfaceMemory& memory, const PatienceSettings& patience, bool recognises_high);
-  /// Takes in what the sonars see now. What lies where a robot has told to be is forgotten: it was that
-  /// robot.
+  /// Adds the echoes of this step. Removes places around robots of known position: the echo was that robot's.
   void see(const Perception& seen);
-  /// The robot drove forward and did not come forward: something unseen is in front of it.
+  /// Adds a surface in front of the robot, which drove forward without moving.
   void touch_ahead(const Perception& seen, const Body& body);
-  /// True when something near this place is as high as the sonars: they saw it from close by.
+  /// True when something near this place is as high as the sonars, because they saw it from close by.
   /// @pre recognises_high
   [[nodiscard]] bool is_high(const Point& at_W) const { return map_.is_high(at_W); }
-  /// Within it places are told.
+  /// Radius within which near() finds places.
   [[nodiscard]] double reach_m() const { return memory_.reach_m; }
-  /// Places in W within reach of a body that drives and brakes.
+  /// Places in W within reach_m() of the robot: what it can hit while it drives and brakes.
   [[nodiscard]] std::vector<Point> near(const Point& p_WB, Time now) const;
 
  private:
@@ -48,8 +46,8 @@ class Surfaces {
   bool has_map_;
   SurfaceMap map_;
   std::vector<Place> places_;
-  std::vector<Point> extended_;                // where walls that sonars follow now should go on
-  std::array<Place, kSonarCount> followed_{};  // an echo of each sonar some centimetres ago
+  std::vector<Point> extended_;                // expected continuation of walls that sonars follow now
+  std::array<Place, kSonarCount> followed_{};  // an earlier echo of each sonar, some centimetres back
 };
 
 }  // namespace caravan::agent

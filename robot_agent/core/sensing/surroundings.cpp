@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr double kOutermostFrontSonar = 50.0 * std::numbers::pi / 180.0;  // of the fan, by the robot model
+constexpr double kOutermostFrontSonar = 50.0 * std::numbers::pi / 180.0;  // by the robot model
 
 struct Axis {
   Point p_B;
@@ -32,9 +32,8 @@ const std::array<Axis, kSonarCount>& axes() {
   return all;
 }
 
-/// Smallest distance along the strip's line at which the segment from `a` to `b` lies inside the strip, if it
-/// reaches beyond `beyond_m`.
-/// Coordinates are (along the line, across it).
+/// Smallest distance along the line of a strip at which the segment from `a` to `b` is inside the strip; +inf
+/// if it never is, or ends at `beyond_m` or before. Coordinates: (along the line, across it).
 double enters_strip_m(const Point& a, const Point& b, double half_width_m, double beyond_m) {
   double first = 0.0;
   double last = 1.0;

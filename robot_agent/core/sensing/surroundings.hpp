@@ -10,15 +10,15 @@
 
 namespace caravan::agent {
 
-/// A strip from the robot's base along a bearing that the robot would like to drive.
+/// A strip from the robot's base along a bearing that the robot may drive.
 struct Corridor {
   double bearing_rad = 0.0;    ///< in frame B: 0 ahead, positive to the left
-  double half_width_m = 0.25;  ///< on either side of the line
-  /// How far beyond the echo's point a surface is taken to reach on either side, across the sonar's axis: the
-  /// sonar says how far, not where in its cone, and a wall goes on beside the spot that reflects.
+  double half_width_m = 0.25;  ///< half of its width
+  /// Assumed extent of a surface to either side of the echo, across the sonar's axis: a sonar measures the
+  /// range but not the direction within its cone, and a wall extends beyond the spot that reflects.
   double surface_m = 0.0;
-  double surface_per_metre = 0.2;  ///< the same, growing with the range
-  double beyond_m = 0.0;           ///< what ends nearer, along the bearing, does not count
+  double surface_per_metre = 0.2;  ///< its growth with the range
+  double beyond_m = 0.0;           ///< surfaces that end before this distance along the bearing do not count
 };
 
 /// One sonar's echo.
@@ -26,19 +26,19 @@ struct Echo {
   Point p_B{0.0, 0.0};       ///< on the sonar's axis
   Point across_B{0.0, 0.0};  ///< unit vector across the axis
   double range_m = 0.0;
-  std::size_t sonar = 0;  ///< which one's
+  std::size_t sonar = 0;  ///< index of the sonar
 };
 
-/// What the sonars say about free space around the robot.
+/// Free space around the robot, by its sonars.
 ///
-/// An echo is a surface across its sonar's axis. No echo is taken for free space, as far as the sonar sees:
-/// surfaces at more than the reflection angle and corners return none, so free space here is a belief.
+/// An echo is a surface across its sonar's axis. Where there is no echo, space counts as free up to the
+/// sonar's range. This is an assumption: corners, and surfaces beyond the reflection angle, return none.
 class Surroundings {
  public:
   Surroundings(const Sensors& sensors, const Sonars& sonars);
 
-  /// The same without the echoes at places (frame B) for which `is_of_a_robot` holds: what is left is no
-  /// robot that told where it is.
+  /// A copy without the echoes for whose position (frame B) `is_of_a_robot` holds. What remains is not a
+  /// robot of known position.
   template <typename IsOfARobot>
   [[nodiscard]] Surroundings without(const IsOfARobot& is_of_a_robot) const {
     Surroundings rest = *this;
@@ -48,21 +48,21 @@ class Surroundings {
     }
     return rest;
   }
-  /// Takes places that the robot touched, frame B, for surfaces that reach so far around them.
+  /// Adds places that the robot touched, frame B, as discs of radius `margin_m`.
   void add_touched(std::vector<Point> places_B, double margin_m) {
     touched_B_ = std::move(places_B);
     margin_m_ = margin_m;
   }
 
-  /// By sonar, without the places touched.
+  /// Sorted by sonar, without the touched places.
   [[nodiscard]] std::span<const Echo> echoes() const { return {echoes_.data(), count_}; }
   /// Distance from the base along the corridor's line to the first surface inside the corridor; +inf: none.
   [[nodiscard]] double clearance_m(const Corridor& corridor) const;
-  /// True when the bearing lies in the gapless fan of the six front sonars.
+  /// True when the bearing is in the front fan, whose six sonars cover it without a gap.
   [[nodiscard]] bool in_front_fan(double bearing_rad) const;
-  /// How much further a surface can reach across a sonar's axis for each metre of range: half its cone.
+  /// Half width of the sonar's cone per metre of range.
   [[nodiscard]] double cone_per_metre() const { return cone_per_metre_; }
-  /// True when no front sonar works: the robot cannot drive.
+  /// True when no front sonar works: the robot must not drive.
   [[nodiscard]] bool is_blind() const { return blind_; }
 
  private:

@@ -8,8 +8,7 @@
 namespace caravan::agent {
 namespace {
 
-// Steps over which a speed is computed. Together with the eight samples it is the form of a filter, not a
-// size.
+// Steps over which a speed is computed. With the eight samples it defines the filter; it is no setting.
 constexpr std::size_t kNow = 2;
 
 }  // namespace
@@ -54,13 +53,12 @@ std::optional<Touch> TouchSensor::update(Time now, const Sensors& sensors, const
   last_touch_ = now;
   const double rear = body.ahead_m - body.length_m;
   const double side = 0.5 * body.width_m;
-  // Which wheel is slowed does not tell the side: a face met at more than 45 degrees turns the robot away
-  // from it.
+  // The slowed wheel does not tell the side: a face at more than 45 degrees turns the robot away from it.
   if (told.left_mps * told.right_mps > 0.0) {
     const bool forward = told.left_mps > 0.0;
     return Touch{{forward ? body.ahead_m : rear, 0.0}, {forward ? 1.0 : -1.0, 0.0}, side};
   }
-  // It turns: what a rear corner meets pushes the base forward, what a front corner meets backward.
+  // In a turn, contact at a rear corner pushes the base forward, contact at a front corner backward.
   const double pushed = speed_mps(0, 0, body.wheel_radius_m) + speed_mps(1, 0, body.wheel_radius_m) -
                         told.left_mps - told.right_mps;
   if (std::abs(pushed) < 2.0 * settings_.pushed_mps) return std::nullopt;

@@ -59,7 +59,7 @@ std::optional<Point> UnseenObstacles::feel(const Sensors& sensors, const Wheels&
   return is_new;
 }
 
-/// The place of what is ahead and lower than the sonars, if it is new.
+/// The place of an obstacle ahead that is lower than the sonars, if it is new.
 std::optional<Point> UnseenObstacles::expect(const Surfaces& surfaces, const Perception& seen) {
   const auto ahead_m = vanishing_.update(seen);
   if (!ahead_m) return std::nullopt;

@@ -9,23 +9,22 @@
 
 namespace caravan::agent {
 
-/// What UnseenObstacles go by.
 struct ObstacleSettings {
   ObstacleMemory memory{};
   TouchSensing touch{};
   EchoLoss echo{};
   PatienceSettings patience{};
   Body body{};
-  double vision_radius_m = 6.0;  ///< what lies within it is planned round
+  double vision_radius_m = 6.0;  ///< obstacles within it are reported for planning
 };
 
-/// Obstacles that the sonars do not see from close by: felt by the wheels, or noticed by an echo that
-/// vanishes, remembered for the whole run, and put beside the echoes for everything that drives and plans.
+/// Obstacles that the sonars do not see from close by. They are detected by the wheels, or by an echo that
+/// vanishes, remembered for the whole run, and added to the surroundings for planning and driving.
 ///
-/// What is touched is no such obstacle when a robot is there, when one is heard that does not tell where it
-/// is, or when the sonars saw something there from close by: the corner of something high. Where they do so
-/// later, the place is forgotten. A robot that gets nowhere for PatienceSettings::timeout forgets
-/// what it touched around it: places that are wrong cannot hold it for longer.
+/// A touch does not count when a robot is at that place, when a robot of unknown position is received, or
+/// when the sonars saw something there from close by: the corner of something high. Places where they do so
+/// later are forgotten. A robot without progress for PatienceSettings::timeout forgets the places around it:
+/// wrong ones hold it no longer than that.
 class UnseenObstacles {
  public:
   explicit UnseenObstacles(const ObstacleSettings& settings)
@@ -35,12 +34,13 @@ class UnseenObstacles {
         places_{settings.memory},
         patience_{settings.patience} {}
 
-  /// To be called in every step; completes `seen`.
-  /// @param told  what the wheels were told in the step before
-  /// @return the place that is new, frame W
+  /// Call in every step; completes `seen`.
+  /// @param told  wheel speeds commanded in the previous step
+  /// @return a new place, frame W
   std::optional<Point> feel(const Sensors& sensors, const Wheels& told, const Surfaces& surfaces,
                             Perception& seen);
-  /// The robot drove forward and came no further. @return the place that is new, frame W
+  /// Adds a place in front of the robot, which drove forward without moving. @return the place if it is new,
+  /// frame W
   std::optional<Point> touch_ahead(const Surfaces& surfaces, const Perception& seen);
 
  private:

@@ -9,9 +9,9 @@
 namespace caravan::agent {
 namespace {
 
-constexpr std::array<std::size_t, 2> kStraightAhead = {3, 4};  // sonars: their mounts are the robot model's
+constexpr std::array<std::size_t, 2> kStraightAhead = {3, 4};  // indices in the robot model
 
-/// What each of the two sees, ahead of the base.
+/// Ranges of the two forward sonars, ahead of the base.
 std::array<double, 2> straight_ahead_m(const Surroundings& around) {
   std::array<double, 2> ahead;
   ahead.fill(std::numeric_limits<double>::infinity());
@@ -43,7 +43,7 @@ std::optional<double> VanishingEcho::update(const Perception& seen) {
   const double expected = last_.ahead_m - ahead.dot(seen.p_WB - last_.p_WB);
   const bool late = seen.now - last_.at > settings_.together;
   if (!late && std::min(left, right) < expected + settings_.farther_m)
-    return std::nullopt;  // one still sees it
+    return std::nullopt;  // one of the two still sees it
   const double approached = ahead.dot(seen.p_WB - first_->p_WB);
   first_.reset();
   if (late || approached < settings_.approach_m || last_.ahead_m < settings_.nearest_m ||

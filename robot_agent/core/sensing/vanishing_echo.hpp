@@ -7,17 +7,18 @@
 
 namespace caravan::agent {
 
-/// Notices what is lower than the sonars before the robot touches it: it returns an echo from a distance,
-/// where it lies in the lower part of the cone, and none from nearer by.
+/// Detects an obstacle that is lower than the sonars before the robot touches it: it returns an echo from a
+/// distance, where it is in the lower part of the cone, and none from close by.
 ///
-/// Only the two sonars that look straight ahead count, while the robot drives straight at something that both
+/// Uses only the two forward sonars, while the robot drives straight at something that both see: an obstacle
+/// as high as the sonars cannot leave both cones then.
 /// see: what is as high as they are cannot leave both cones then.
 class VanishingEcho {
  public:
   explicit VanishingEcho(const EchoLoss& settings) : settings_{settings} {}
 
-  /// To be called in every step.
-  /// @return how far ahead of the base the thing begins; once
+  /// Call in every step.
+  /// @return distance of the obstacle ahead of the base, metres; once for each obstacle
   [[nodiscard]] std::optional<double> update(const Perception& seen);
 
  private:
@@ -28,7 +29,7 @@ class VanishingEcho {
     double ahead_m = 0.0;
   };
   EchoLoss settings_;
-  std::optional<Sight> first_;  // of an approach in one direction
+  std::optional<Sight> first_;  // beginning of an approach in one direction
   Sight last_;
 };
 

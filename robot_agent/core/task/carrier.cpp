@@ -12,10 +12,11 @@
 namespace caravan::agent {
 namespace {
 
-// A longer step was an exchange, not driving.
+// A longer step was an exchange, without driving.
 constexpr Time kLongestStep = std::chrono::milliseconds{200};
 
-/// From the middle of what it touched: a little more than shortcuts keep, so that it does not stop beside it.
+/// From the centre of a touched obstacle: a little more than shortcuts keep, so that the robot does not stop
+/// beside it.
 double keeps_from_touched_m(const Passage& passage, const ObstacleMemory& obstacles, double room_m) {
   return 0.5 * passage.corridor_m + obstacles.margin_m + room_m;
 }

@@ -11,7 +11,6 @@
 
 namespace caravan::agent {
 
-/// What a Carrier goes by.
 struct CarrierSettings {
   Task task;
   Progress progress;
@@ -24,23 +23,26 @@ struct CarrierSettings {
   Body body;
 };
 
-/// A robot with a path: Algorithm 1, lines 12 and 13. It carries items along its path and shortens it.
+/// A robot with a path: Algorithm 1, lines 12 and 13. It carries items along its path and shortens the path.
 ///
 ///   state     | path free     | obstacle, touch           | no progress | wandered far enough
 ///   ----------+---------------+---------------------------+-------------+--------------------
 ///   Following | drive, smooth | shortcut provisional: old | Wandering   | -
 ///             |               | section back; else round  |             |
 ///   Wandering | explore       | new location              | -           | Following
+/// A touch counts only while no robot is near; without a provisional shortcut the driver's own manoeuvre is
+/// enough. Wandering also ends after Progress::wander_timeout, and at an end of the path.
 class Carrier {
  public:
-  /// Begins at `p_WB` with the way to the source: the drive that found the destination delivers nothing.
+  /// Starts at `p_WB` and drives to the source first: the drive that found the destination delivers nothing.
   /// @param path driven, from the source to the destination
   Carrier(const CarrierSettings& settings, Path path, const Point& p_WB);
 
   [[nodiscard]] Motion step(const Perception& seen, Driver& driver, pure::Random& random, Notes& notes);
-  /// Reads `holding`; in every step, also while it stands.
+  /// Updates the gripper from Perception::holding. Call in every step with a position, also while the robot
+  /// stands.
   void sense(const Perception& seen, Notes& notes);
-  /// Takes another path with the same ends.
+  /// Adopts another path with the same ends.
   void adopt(Path path, const Point& p_WB);
 
   [[nodiscard]] const Path& path() const { return route_.driven(); }

@@ -11,7 +11,6 @@
 
 namespace caravan::agent {
 
-/// What an Explorer goes by.
 struct ExplorerSettings {
   Task task;
   Exploration exploration;
@@ -20,21 +19,22 @@ struct ExplorerSettings {
   Body body;
 };
 
-/// A robot without a path: Algorithm 1, lines 3 to 10. It explores, records where it went and looks out for
-/// the destination.
+/// A robot without a path: Algorithm 1, lines 3 to 10. It explores, records its path and looks for the
+/// destination.
 ///
 ///   state       | destination seen | obstacle, touch      | location reached | destination reached
 ///   ------------+------------------+----------------------+------------------+--------------------
 ///   Searching   | Approaching      | new location         | new location     | -
 ///   Approaching | -                | Searching for a time | -                | found
 ///
-/// Approaching also ends when the destination has been out of sight for a while.
+/// A location is replaced after Exploration::location_timeout. Approaching ends when the destination has been
+/// out of sight for Exploration::out_of_sight.
 class Explorer {
  public:
   explicit Explorer(const ExplorerSettings& settings);
 
   [[nodiscard]] Motion step(const Perception& seen, Driver& driver, pure::Random& random);
-  /// The path from the source to the destination, once it has arrived there.
+  /// The path from the source to the destination, after arrival there.
   [[nodiscard]] const std::optional<Path>& found() const { return found_; }
 
  private:

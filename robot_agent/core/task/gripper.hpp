@@ -7,8 +7,8 @@
 
 namespace caravan::agent {
 
-/// The gripper's part in a trip: closes at the source, opens at the destination, and believes only what
-/// `holding` says.
+/// The state of the gripper: it closes at the source and opens at the destination. Only `holding` confirms
+/// success.
 ///
 ///   state    | at the source | at the destination | holding                              | not holding
 ///   ---------+---------------+--------------------+--------------------------------------+-----------------------------------
@@ -25,7 +25,7 @@ class Gripper {
 
   void arrive_at_source(Time now);
   void arrive_at_destination(Time now);
-  /// What became of it, from the sensors of this step.
+  /// Updates the state from the sensors of this step. @return the change
   [[nodiscard]] Change sense(bool holding, Time now);
   [[nodiscard]] bool closed() const;
 

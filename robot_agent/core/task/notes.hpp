@@ -7,7 +7,7 @@
 
 namespace caravan::agent {
 
-/// What the parts of an agent want to be known of this step.
+/// Events and changes of this step, to be reported.
 struct Notes {
   std::vector<Event> events;
   bool path_changed = false;

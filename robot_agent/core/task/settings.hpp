@@ -9,13 +9,12 @@
 /// Parameters of the task. Keys and ranges: docs/scenario.md.
 namespace caravan::agent {
 
-/// What is to be carried where. `destination` is read by sees_destination() only: sight of it is simulated by
-/// distance, as in the paper.
+/// The transport task. sees_destination() simulates sight of `destination` by distance, as in the paper.
 struct Task {
   Point source{0.0, 0.0};
   Point destination{0.0, 0.0};
-  double service_radius_m = 1.5;  ///< within it items change hands
-  double arrival_radius_m = 1.0;  ///< within it the robot turns back
+  double service_radius_m = 1.5;  ///< items are picked up and delivered within it
+  double arrival_radius_m = 1.0;  ///< the robot turns back within it
   double crowded_m = 2.5;         ///< with another robot this near ahead, service_radius_m suffices
   Time gripper_patience = std::chrono::milliseconds{300};  ///< for the gripper to follow a command
 

@@ -8,30 +8,30 @@
 
 namespace caravan::agent {
 
-/// The nearest point that a frame can carry; coordinates beyond 2147 km are cut there.
+/// The nearest point that a frame can carry. Coordinates are limited to 2147 km; NaN becomes 0.
 [[nodiscard]] GridPoint to_grid(const Point& point);
 [[nodiscard]] Point from_grid(const GridPoint& point);
 
-/// Two paths crossing in one session, one side of it (docs/protocol.md, section "Exchange").
+/// The exchange of two paths in one session, as seen by one partner (docs/protocol.md, section "Exchange").
 ///
-/// Fragments arrive in any order, twice or never. What the partner does not hold yet is sent round and round;
-/// each fragment acknowledges how much of the partner's path is here without a gap. Memory is bounded by the
-/// largest path that a frame can announce, 65535 points.
+/// Fragments may be lost, reordered or duplicated. Points that the partner does not hold yet are sent in a
+/// loop. Each fragment acknowledges how many points of the partner's path are held without a gap. Memory is
+/// bounded by the longest path that a frame can announce, 65535 points.
 class Transfer {
  public:
-  /// @param own    the path to give; fewer than 2 or more than 65535 points: none
-  /// @param wants  keep the partner's path; false: it is acknowledged whatever it is, and dropped
+  /// @param own    the path to give; with fewer than 2 or more than 65535 points none is given
+  /// @param wants  whether to keep the partner's path; false: acknowledges all of it and discards it
   /// @param points_per_frame  >= 1
   Transfer(const Path& own, bool wants, std::uint32_t points_per_frame);
 
-  /// Takes in a fragment. One that contradicts what was announced before has no effect.
+  /// Handles a fragment. A fragment that contradicts the announced length has no effect.
   void absorb(const PathFragment& fragment);
-  /// The next one to send, without its address.
+  /// The next fragment to send, without its address.
   [[nodiscard]] PathFragment next();
 
-  [[nodiscard]] bool holds_all() const;      ///< the partner's path is here
-  [[nodiscard]] bool has_given() const;      ///< the partner acknowledged all of ours
-  [[nodiscard]] Path partners_path() const;  ///< empty: it has none, or it is not wanted. @pre holds_all()
+  [[nodiscard]] bool holds_all() const;      ///< the partner's path is complete here
+  [[nodiscard]] bool has_given() const;      ///< the partner has acknowledged all of ours
+  [[nodiscard]] Path partners_path() const;  ///< empty: it has none, or it is discarded. @pre holds_all()
 
  private:
   void announced(std::uint16_t total);

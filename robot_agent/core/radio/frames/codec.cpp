@@ -28,14 +28,14 @@ constexpr int kMostYaw_mrad = 3142;
 constexpr std::size_t kPathHeaderBytes = 16;
 constexpr std::size_t kPointBytes = 8;
 
-/// Sender, receiver and session, as all frames but WAIT have them.
+/// Sender, receiver and session: the common header of all frames except WAIT.
 struct Address {
   RobotId from;
   RobotId to;
   std::uint16_t session = 0;
 };
 
-/// @param session_required false: 0 is allowed
+/// @param session_required false: session 0 is valid
 std::optional<Address> read_address(ByteReader& in, bool session_required) {
   const Address address{RobotId{in.u16()}, RobotId{in.u16()}, in.u16()};
   const bool good = address.from.value != 0 && address.to.value != 0 && address.from != address.to &&

@@ -8,7 +8,7 @@
 
 namespace caravan::agent {
 
-/// Takes little-endian numbers from the front of some bytes; past their end it reads zeros.
+/// Reads little-endian numbers from the front of a byte sequence; zeros past its end.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> bytes) : bytes_{bytes} {}

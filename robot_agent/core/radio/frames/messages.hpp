@@ -6,15 +6,15 @@
 
 #include "robot_agent/core/types.hpp"
 
-/// What robots say to each other. docs/protocol.md is normative; section numbers refer to it.
+/// The messages of the radio protocol. docs/protocol.md is normative; section numbers refer to it.
 namespace caravan::agent {
 
-/// Whether the sender of a WAIT can be paired with. All but kFree show as BUSY.
+/// Whether the sender of a WAIT is available for pairing. All but kFree are shown as BUSY.
 enum class Engagement : std::uint8_t {
   kFree,
-  kNegotiating,  ///< stands on the common channel, waiting for `partner`
-  kInSession,    ///< listens to the private channel that it shares with `partner`
-  kAway          ///< with nobody, and not to be paired with now
+  kNegotiating,  ///< stands on the common channel and waits for `partner`
+  kInSession,    ///< listens to the private channel shared with `partner`
+  kAway          ///< has no partner and is not available now
 };
 
 /// Whole millimetres in frame W.
@@ -24,16 +24,17 @@ struct GridPoint {
   bool operator==(const GridPoint&) const = default;
 };
 
-/// Where the sender of a WAIT is and how it moves, so that others keep clear of what their sonars do not see.
+/// Position and motion of the sender of a WAIT. Others use it to keep clear of a robot that their sonars do
+/// not see.
 struct Whereabouts {
-  GridPoint at;                  ///< its base, by its own GPS
+  GridPoint at;                  ///< position of its base, by its own GPS
   std::int16_t yaw_mrad = 0;     ///< in W, -3142 .. 3142
   std::int16_t speed_mmps = 0;   ///< of its base, forward positive
   std::int16_t turn_mradps = 0;  ///< counter-clockwise positive
   bool operator==(const Whereabouts&) const = default;
 };
 
-/// Presence: "here I am".
+/// Presence.
 struct Wait {
   RobotId from;
   Mode mode = Mode::kExplore;
@@ -52,7 +53,7 @@ struct Accept {
   bool operator==(const Accept&) const = default;
 };
 
-/// The secondary takes it.
+/// The secondary accepts the session.
 struct AcceptAck {
   RobotId from;
   RobotId to;
@@ -61,33 +62,33 @@ struct AcceptAck {
 };
 
 enum class Refusal : std::uint8_t {
-  kBusy,     ///< engaged with another robot, or resting: soon is fine
-  kDeclined  ///< not for a while
+  kBusy,     ///< engaged with another robot, or resting: may be tried again soon
+  kDeclined  ///< not to be tried again for a longer time
 };
 
-/// No. Answers an ACCEPT, or a WAIT whose sender waits for the sender of this.
+/// Refuses an ACCEPT, or a WAIT whose sender waits for this robot.
 struct Reject {
   RobotId from;
   RobotId to;
-  std::uint16_t session = 0;  ///< of the ACCEPT that it answers; 0: it answers a WAIT
+  std::uint16_t session = 0;  ///< of the refused ACCEPT; 0: refuses a WAIT
   Refusal refusal = Refusal::kBusy;
   bool operator==(const Reject&) const = default;
 };
 
-/// A part of the sender's path, and how much of the receiver's path it holds.
+/// A part of the sender's path, and an acknowledgement of the receiver's path.
 struct PathFragment {
   RobotId from;
   RobotId to;
   std::uint16_t session = 0;
-  std::uint16_t total = 0;  ///< points of the sender's whole path; 0: it gives none; never 1
-  std::uint16_t first = 0;  ///< index of points[0]
-  bool has_heard = false;   ///< at least one fragment of this session has reached the sender
-  std::uint16_t holds = 0;  ///< so many points of the receiver's path, counted from its first without a gap
-  std::vector<GridPoint> points;  ///< may be empty: an acknowledgement only
+  std::uint16_t total = 0;        ///< points of the sender's whole path; 0: none; never 1
+  std::uint16_t first = 0;        ///< index of points[0]
+  bool has_heard = false;         ///< the sender has received a fragment of this session
+  std::uint16_t holds = 0;        ///< points of the receiver's path held without a gap, from the first on
+  std::vector<GridPoint> points;  ///< may be empty: acknowledgement only
   bool operator==(const PathFragment&) const = default;
 };
 
-/// Both paths have crossed: the sender holds the receiver's and knows that the receiver holds its own.
+/// The exchange is complete: the sender holds the receiver's path and knows that the receiver holds its own.
 struct End {
   RobotId from;
   RobotId to;

@@ -6,10 +6,10 @@
 namespace caravan::agent {
 namespace {
 
-// A session's number is its time in these. Part of the protocol, not a setting: shorter than any rest.
+// Unit of session numbers. Fixed by the protocol, not a setting: shorter than any rest.
 constexpr Time kSessionSlot = std::chrono::milliseconds{100};
 
-/// Distinct for successive attempts of a pair, since a rest lies between them; never 0.
+/// Differs between successive attempts of a pair, because a rest lies between them; never 0.
 std::uint16_t session_number(Time now) {
   return static_cast<std::uint16_t>(1 + static_cast<std::uint64_t>(now / kSessionSlot) % 65535U);
 }
@@ -18,7 +18,7 @@ template <typename Session>
 bool belongs(const Session& state, RobotId from, std::uint16_t session) {
   return state.partner == from && state.session == session;
 }
-/// Session 0 in a REJECT means any.
+/// Session 0 in a REJECT matches any session.
 bool refuses(const Reject& reject, std::uint16_t session) {
   return reject.session == 0 || reject.session == session;
 }
@@ -31,7 +31,7 @@ Decision stay_and_refuse(const State& state, const Refuse& refuse) {
 
 }  // namespace
 
-/// The cells of the table, for one robot at one moment.
+/// The cells of the table, for one robot at one time.
 struct Pairing::Rules {
   const Pairing& pairing;
   Time now;
@@ -133,7 +133,7 @@ struct Pairing::Rules {
     if (e.reject.from != s.partner || !refuses(e.reject, s.session)) return stay(s);
     return failed(s, hold_after(e.reject.refusal));
   }
-  /// @param linger how long to repeat END when both paths have crossed
+  /// @param linger  how long END is repeated when the exchange is complete
   template <typename Heard>
   [[nodiscard]] Decision in_session_hears(InSession s, const Heard& e, Time linger) const {
     if (!belongs(s, e.from, e.session)) return stay(s);

@@ -7,11 +7,11 @@
 #include "robot_agent/core/radio/frames/messages.hpp"
 #include "robot_agent/core/radio/settings.hpp"
 
-/// Algorithm 6: how two robots agree to exchange paths, and when they stop trying. docs/protocol.md, section
+/// Algorithm 6: the handshake of two robots, and the deadlines that end it. docs/protocol.md, section
 /// "Pairing", is normative.
 namespace caravan::agent {
 
-/// Drives on and looks for a partner, from `rests_until` on.
+/// Drives, and looks for a partner from `rests_until` on.
 struct Free {
   Time rests_until{0};
 };
@@ -20,7 +20,7 @@ struct Accepting {
   RobotId partner;
   std::uint16_t session = 0;
   Time began{0};
-  Time last_heard{0};  ///< of the partner
+  Time last_heard{0};  ///< last reception from the partner
   Time next_accept{0};
   std::uint32_t accepts_left = 0;
 };
@@ -35,21 +35,21 @@ struct InSession {
   RobotId partner;
   std::uint16_t session = 0;
   bool primary = false;
-  bool confirmed = false;  ///< the partner is known to be here too; until then ACCEPTACK is repeated
+  bool confirmed = false;  ///< the partner is known to be in session too; until then ACCEPTACK is repeated
   Time began{0};           ///< of the attempt
   Time opened{0};          ///< of the session
   Time last_heard{0};
 };
-/// Both paths have crossed. Drives on, and repeats END on the private channel for a partner that may not
-/// know.
+/// The exchange is complete. The robot drives on, and repeats END on the private channel in case the partner
+/// did not receive it.
 struct Lingering {
   RobotId partner;
   std::uint16_t session = 0;
-  Time leaves{0};  ///< the last moment at which END is sent
+  Time leaves{0};  ///< END is sent until this time
 };
 using State = std::variant<Free, Accepting, Awaiting, InSession, Lingering>;
 
-/// A WAIT of another robot. `eligible`: Algorithm 5 says yes.
+/// A WAIT of another robot. `eligible`: can_communicate() allows pairing.
 struct WaitHeard {
   Wait wait;
   bool eligible = false;
@@ -67,27 +67,27 @@ struct AcceptAckHeard {
 struct RejectHeard {
   Reject reject;
 };
-/// A path fragment for this robot. `crossed`: by now, both paths have crossed.
+/// A path fragment for this robot. `crossed`: both robots now hold both paths.
 struct FragmentHeard {
   RobotId from;
   std::uint16_t session = 0;
   bool crossed = false;
 };
-/// An END for this robot. `crossed`: the partner's path is here, so with END both paths have crossed.
+/// An END for this robot. `crossed`: the partner's path is complete here, so END completes the exchange.
 struct EndHeard {
   RobotId from;
   std::uint16_t session = 0;
   bool crossed = false;
 };
-/// The end of a step, after everything that was heard in it.
+/// The end of a step, after all frames received in it.
 struct Tick {};
 using PairingEvent =
     std::variant<WaitHeard, AcceptHeard, AcceptAckHeard, RejectHeard, FragmentHeard, EndHeard, Tick>;
 
-/// What to send for the state, at most one frame in a step.
+/// What to send in this state; at most one frame per step.
 enum class Send : std::uint8_t { kNothing, kAccept, kAcceptAck, kFragment, kEnd };
 
-/// A REJECT to send, where the other robot listens.
+/// A REJECT to send, on the channel that the other robot listens to.
 struct Refuse {
   RobotId to;
   std::uint16_t session = 0;
@@ -95,7 +95,7 @@ struct Refuse {
   bool on_private_channel = false;
 };
 
-/// An attempt that is over, and for how long this partner is not to be tried again (0: no hold).
+/// An attempt that has ended, and how long this partner must not be tried again (0: no hold).
 struct Outcome {
   Exchange exchange;
   Time hold{0};
@@ -127,14 +127,15 @@ struct Decision {
 ///   then PATH; Lingering sends END. Deadlines that lead to Free: accept_attempts * accept_period (Accepting,
 ///   Awaiting), session_timer (InSession), silence of the partner (all three), leaves (Lingering).
 ///
-/// "-" is ignored on purpose. The higher id is primary (Accepting), the lower one secondary (Awaiting). A
-/// WAIT waits for me when its sender negotiates or is in session with me. After a failure Free rests.
+/// "-": ignored by design. The higher id is primary (Accepting), the lower one secondary (Awaiting). A WAIT
+/// "waits for me" if its sender negotiates or is in session with this robot. An ACCEPT from a lower id is
+/// ignored. After a failure a Free robot rests.
 class Pairing {
  public:
   /// @param wait_period  longest time between two WAITs of a partner
   Pairing(RobotId id, const SharingSettings& sharing, Time wait_period);
 
-  /// Pure: equal arguments, equal decision.
+  /// Pure function: equal arguments give equal decisions.
   [[nodiscard]] Decision advance(const State& state, const PairingEvent& event, Time now) const;
 
  private:
@@ -149,7 +150,7 @@ class Pairing {
   Time hold_;
 };
 
-/// What a robot in this state says of itself in its WAIT.
+/// What the WAIT of a robot in this state reports.
 struct Presence {
   Engagement engagement = Engagement::kFree;
   RobotId partner;
