@@ -12,11 +12,11 @@ namespace {
 
 using namespace caravan;
 
-constexpr std::uint32_t kHighestRobot = 65535;  // as on the radio
+constexpr std::uint32_t kHighestRobot = 65535;  // 16 bits in radio frames
 constexpr std::uint32_t kNotGiven = std::numeric_limits<std::uint32_t>::max();
 
 struct Chosen {
-  std::string text;  // as on the command line
+  std::string text;  // argument as given
   std::vector<std::uint32_t> robots;
 };
 

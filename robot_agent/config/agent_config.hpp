@@ -6,8 +6,8 @@
 
 namespace caravan::agent {
 
-/// Reads `[robots] [radio] [algorithm]` and `seed`, never `[world]`.
-/// @throws StartError also when `robot` is not 1 .. robots.count
+/// Reads `[robots]`, `[radio]`, `[algorithm]` and `seed`; never `[world]`.
+/// @throws StartError for a bad value or key, or when `robot` is not in 1 .. robots.count
 [[nodiscard]] Config load_config(const runtime::TomlDocument& scenario, std::uint32_t robot);
 
 }  // namespace caravan::agent

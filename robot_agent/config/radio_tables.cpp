@@ -13,7 +13,7 @@ void read_wait(TomlTable table, WaitSettings& wait) {
 }
 
 void read_sharing(TomlTable table, SharingSettings& sharing) {
-  constexpr double kSessionSlot_s = 0.1;  // two attempts of a pair have different session numbers
+  constexpr double kSessionSlot_s = 0.1;  // as kSessionSlot: two attempts of a pair need different numbers
   read_time(table, "silence_s", sharing.silence, 0.001);
   read_time(table, "linger_s", sharing.linger);
   read_time(table, "rest_s", sharing.rest, kSessionSlot_s);

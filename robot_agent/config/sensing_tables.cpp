@@ -4,7 +4,7 @@
 namespace caravan::agent {
 namespace {
 
-/// What is worked out cell by cell, or for each place, in every step.
+/// Limit of distances that cost computing time for each map cell, or each place, in every step.
 constexpr Range kNear_m{0.0, 10.0};
 
 void read_sonars(TomlTable table, Sonars& sonars) {

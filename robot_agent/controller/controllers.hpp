@@ -12,14 +12,14 @@
 
 namespace caravan::agent {
 
-/// "paper": the paper's agent, which needs no library.
+/// Selects the paper's agent, which needs no library.
 inline constexpr const char* kPaper = "paper";
 
-/// What the scenario names in `[controller] library`: kPaper, the default, or an absolute path. A relative
-/// path starts from the scenario's folder.
+/// The value of `[controller] library` in the scenario: kPaper (the default), or an absolute path. A relative
+/// path is resolved against the scenario's folder.
 [[nodiscard]] std::string controller_in(const runtime::TomlDocument& scenario);
 
-/// The controller of a scenario's robots.
+/// Makes the controllers of a scenario's robots.
 class Controllers {
  public:
   /// @param library  kPaper or the path of a shared library
@@ -28,24 +28,24 @@ class Controllers {
   explicit Controllers(const runtime::TomlDocument& scenario)
       : Controllers{scenario, controller_in(scenario)} {}
 
-  /// "paper", or what the library calls itself.
+  /// kPaper, or the name that the library gives.
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] bool is_paper() const { return library_ == nullptr; }
 
-  /// A new controller for a robot. @throws StartError when it cannot be made
+  /// A new controller for a robot. @throws StartError when it cannot be constructed
   [[nodiscard]] std::unique_ptr<Controller> make(const Config& config) const;
-  /// The same with faults named. @throws StartError
+  /// A new controller whose faults name it and the robot. @throws StartError when it cannot be constructed
   [[nodiscard]] runtime::GuardedController make_guarded(const Config& config) const {
     return {make(config), name_, config.id.value};
   }
-  /// Inputs::destination; none where the controller finds it by itself.
+  /// Value for Inputs::destination; none for the paper's agent, which finds the destination itself.
   [[nodiscard]] std::optional<Position> destination_in_sight(const caravan::Sensors& sensors,
                                                              const Config& config) const;
 
  private:
   runtime::TomlDocument scenario_;
   std::string name_ = kPaper;
-  const ControllerLibrary* library_ = nullptr;  // of the process; null: the paper's agent
+  const ControllerLibrary* library_ = nullptr;  // owned by the process; null: the paper's agent
 };
 
 }  // namespace caravan::agent

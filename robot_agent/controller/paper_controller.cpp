@@ -93,7 +93,7 @@ Robot robot_of(const Config& config) {
 std::optional<Position> destination_in_sight(const caravan::Sensors& sensors, const Config& config) {
   const double away = std::hypot(sensors.position.x_m - config.task.destination.x(),
                                  sensors.position.y_m - config.task.destination.y());
-  // False also for a position that is not known.
+  // Also false for an unknown position (NaN).
   const bool is_near = away <= config.exploration.detection_radius_m && std::isfinite(sensors.yaw_rad);
   if (!is_near) return std::nullopt;
   const Perception seen =

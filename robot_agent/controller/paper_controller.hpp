@@ -7,7 +7,7 @@
 
 namespace caravan::agent {
 
-/// The paper's agent as a controller.
+/// Adapts the paper's agent to the Controller interface.
 class PaperController final : public Controller {
  public:
   explicit PaperController(const Config& config) : agent_{config} {}
@@ -15,12 +15,12 @@ class PaperController final : public Controller {
 
  private:
   Agent agent_;
-  Inputs inputs_;  // of the last step; kept for the memory of its frames
+  Inputs inputs_;  // of the last step; a member so that the memory of its frames is reused
 };
 
-/// What a controller is told of robot `config.id`.
+/// Description of robot `config.id` for its controller.
 [[nodiscard]] Robot robot_of(const Config& config);
-/// The destination where the robot sees it, as the paper's agent does.
+/// The destination, if the robot sees it by the rule of the paper's agent (sees_destination()).
 [[nodiscard]] std::optional<Position> destination_in_sight(const caravan::Sensors& sensors,
                                                            const Config& config);
 

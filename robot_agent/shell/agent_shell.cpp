@@ -19,8 +19,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto kWatchPeriod = 500ms;  // how late the radio deadline may be noticed
-constexpr auto kLongStep = 2s;        // of a controller
+constexpr auto kWatchPeriod = 500ms;  // bounds the delay in noticing the radio deadline
+constexpr auto kLongStep = 2s;        // of a step of a controller
 constexpr auto kLongestStep = 10s;
 constexpr auto kSayWaitingAfter = 1s;
 constexpr auto kSayWaitingAgain = 60s;
@@ -41,7 +41,7 @@ AgentShell::AgentShell(const Controllers& controllers, const std::vector<Config>
     robot_of_topic_[idl::name_for(idl::kCommand, config.id.value)] = config.id.value;
     agents_.emplace_back(controllers_, config, bus_);
   }
-  // Not under the lock: making a reader waits for DDS's own locks, whose holders may be waiting for ours in a
+  // Not under the lock: making a reader waits for locks of DDS, whose holders may wait for ours in a
   // callback.
   for (Hosted& one : agents_) make_readers(one);
 }
@@ -178,7 +178,8 @@ AgentShell::Wall AgentShell::next_deadline(Wall now) const {
 
 std::unique_lock<std::timed_mutex> AgentShell::lock_or_end() {
   std::unique_lock lock{mutex_, kWatchPeriod};
-  // Periods and not a clock: a process that was stopped, by a debugger for instance, has lost no time.
+  // Counts periods instead of reading a clock: a process stopped by a debugger, for instance, has lost no
+  // time.
   for (auto waited = kWatchPeriod; !lock.owns_lock(); waited += kWatchPeriod) {
     const auto busy = std::find_if(agents_.begin(), agents_.end(),
                                    [](const Hosted& one) { return one.agent.is_stepping(); });
@@ -190,7 +191,7 @@ std::unique_lock<std::timed_mutex> AgentShell::lock_or_end() {
       spdlog::critical("controller {}, robot {}: a step has not returned for {} s: this process ends",
                        controllers_.name(), busy->agent.robot(), waited / 1s);
       spdlog::shutdown();
-      std::_Exit(runtime::kFailed);  // its thread cannot be ended otherwise
+      std::_Exit(runtime::kFailed);  // a thread cannot be stopped otherwise
     }
     (void)lock.try_lock_for(kWatchPeriod);
   }

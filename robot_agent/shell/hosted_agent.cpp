@@ -19,7 +19,7 @@ namespace msg = caravan_interfaces::msg;
 namespace {
 
 constexpr auto kRadioPatience = std::chrono::seconds{1};
-constexpr std::size_t kMostHeard = 4096;  // frames between two steps, when no sensor frame comes for long
+constexpr std::size_t kMostHeard = 4096;  // bound of frames between two steps, when sensor frames are missing
 
 std::string in_words(const std::vector<std::uint8_t>& bytes) {
   return std::visit(pure::Overload{[](const DecodeError&) { return std::string{"malformed"}; },
@@ -31,7 +31,7 @@ std::string in_hexadecimal(const std::vector<std::uint8_t>& bytes) {
   return fmt::format("{:02x}", fmt::join(bytes, ""));
 }
 
-/// With --log-level trace only; the paper's frames in the paper's form.
+/// Only with --log-level trace; frames of the paper's agent in the paper's notation.
 template <typename AnyFrame>
 void log_frames(const char* what, Time now, const std::vector<AnyFrame>& frames, bool are_the_papers) {
   if (!spdlog::should_log(spdlog::level::trace)) return;
@@ -87,7 +87,7 @@ void HostedAgent::sense(const msg::SensorFrame& frame, bool may_answer) {
 }
 
 void HostedAgent::hear(const msg::RadioReceive& sample, bool may_answer) {
-  // The session is that of the sensor frames, which may come after what belongs to them.
+  // Sensor frames define the session; they may arrive after a radio sample of the same session.
   if (sample.session() != session_) {
     if (sample.session() > session_) early_ = sample;
     return;
@@ -154,7 +154,7 @@ void HostedAgent::answer(caravan::Outputs& outputs, const msg::SensorFrame& fram
 
 void HostedAgent::catch_up(Wall now) {
   if (held_) {
-    // The world may be waiting for this answer, so that no other frame would come.
+    // The world may be waiting for this answer: then no other frame comes.
     const msg::SensorFrame frame = *std::exchange(held_, std::nullopt);
     if (frame.session() == session_ && idl::to_time(frame.stamp()) > now_) step(frame);
   }

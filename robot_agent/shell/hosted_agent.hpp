@@ -13,11 +13,11 @@
 
 namespace caravan::agent {
 
-/// One of a process's agents: what it has heard, and its three writers.
+/// One agent of the process: its inputs so far, and its three writers.
 ///
-/// Steps on each sensor frame; when the frame says that radio is due it waits for that first, one second at
-/// most. Knows no lock: the shell calls it under its own. With `may_answer` false (another process holds the
-/// robot) it keeps the newest frame and says nothing.
+/// Steps on each sensor frame. If the frame announces a radio sample, it waits for the sample first, for
+/// about one second at most. Not thread-safe: the shell calls it under its lock. With `may_answer` false
+/// (another process holds the robot) it keeps the newest frame and sends nothing.
 class HostedAgent {
  public:
   using Wall = std::chrono::steady_clock::time_point;
@@ -25,25 +25,27 @@ class HostedAgent {
   /// @throws StartError when DDS refuses a writer
   HostedAgent(const Controllers& controllers, const Config& config, runtime::Bus& bus);
 
-  /// Its frames come from another participant from now on, whose session may have any number.
+  /// From now on its frames come from another participant, whose session may have any number.
   void meet_provider() { is_new_provider_ = true; }
   void sense(const caravan_interfaces::msg::SensorFrame& frame, bool may_answer);
   void hear(const caravan_interfaces::msg::RadioReceive& sample, bool may_answer);
-  /// Answers what it has kept and what has waited for the radio too long. @pre the robot is this process's
+  /// Answers the frame that it has kept, and a frame that has waited too long for the radio. @pre this
+  /// process holds the robot
   void catch_up(Wall now);
-  /// Wheels at zero, if it ever had a world.
+  /// Sets the wheels to zero, if it has ever had a world.
   void halt();
 
   [[nodiscard]] std::uint32_t robot() const { return config_.id.value; }
   [[nodiscard]] bool has_world() const { return session_ != 0; }
   [[nodiscard]] std::uint64_t refused_writes() const { return refused_writes_; }
-  /// What ended the controller; empty: nothing. It is not called again, and the robot's wheels are at zero.
+  /// The error that ended the controller; empty: none. The controller is not called again, and the wheels are
+  /// at zero.
   [[nodiscard]] const std::string& fault() const { return fault_; }
-  /// The controller is called at present. From any thread, without the shell's lock.
+  /// True while the controller is in a step. Thread-safe.
   [[nodiscard]] bool is_stepping() const { return stepping_; }
 
  private:
-  /// False: a frame of a session that is over. A newer session starts the agent anew.
+  /// False: a frame of an old session. A newer session starts the agent from its initial state.
   [[nodiscard]] bool follow_session(std::uint64_t session);
   void take_in(const caravan_interfaces::msg::RadioReceive& sample);
   void step(const caravan_interfaces::msg::SensorFrame& frame);
@@ -55,13 +57,13 @@ class HostedAgent {
   std::uint64_t session_ = 0;
   bool is_new_provider_ = true;
   std::optional<runtime::GuardedController> controller_;  // of this session
-  Time now_{-1};                                          // stamp of the last frame stepped on
+  Time now_{-1};                                          // stamp of the last step's frame
   std::vector<caravan::ReceivedFrame> heard_;
   Time heard_until_{-1};                                         // stamp of the newest RadioReceive
-  std::optional<caravan_interfaces::msg::RadioReceive> early_;   // of a session without a frame yet
-  std::optional<caravan_interfaces::msg::SensorFrame> waiting_;  // for its radio
+  std::optional<caravan_interfaces::msg::RadioReceive> early_;   // of a session that has no sensor frame yet
+  std::optional<caravan_interfaces::msg::SensorFrame> waiting_;  // waits for its radio sample
   Wall waiting_until_{};
-  std::optional<caravan_interfaces::msg::SensorFrame> held_;  // the newest that it may not answer yet
+  std::optional<caravan_interfaces::msg::SensorFrame> held_;  // newest frame, kept while no answer is allowed
   std::string fault_;
   std::atomic<bool> stepping_ = false;
   std::uint64_t radio_timeouts_ = 0;

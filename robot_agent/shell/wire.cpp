@@ -53,7 +53,7 @@ msg::RadioTransmit to_transmit(caravan::Outputs& outputs) {
 
 msg::Telemetry to_telemetry(const caravan::Report& report) {
   msg::Telemetry telemetry;
-  // The enumerators of a controller's report are the constants of the wire, in their order.
+  // The enumerators of a report equal the constants of the IDL.
   static_assert(static_cast<int>(caravan::Mode::kTransport) == msg::Telemetry_Constants::MODE_TRANSPORT);
   static_assert(static_cast<int>(caravan::Activity::kExchanging) ==
                 msg::Telemetry_Constants::ACTIVITY_EXCHANGING);

@@ -7,10 +7,10 @@
 
 namespace caravan::agent {
 
-/// Between a controller's values and the wire. `stamp` and `session` of a sample are the caller's to set.
+/// Conversion between a controller's values and samples. The caller sets `stamp` and `session` of a sample.
 [[nodiscard]] caravan::Sensors to_sensors(const caravan_interfaces::msg::SensorFrame& frame);
 [[nodiscard]] caravan_interfaces::msg::RobotCommand to_command(const caravan::Outputs& outputs);
-/// Takes the frames' bytes out of `outputs`.
+/// Moves the frames' bytes out of `outputs`.
 [[nodiscard]] caravan_interfaces::msg::RadioTransmit to_transmit(caravan::Outputs& outputs);
 [[nodiscard]] caravan_interfaces::msg::Telemetry to_telemetry(const caravan::Report& report);
 
