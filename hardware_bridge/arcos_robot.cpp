@@ -8,7 +8,7 @@ namespace {
 
 using namespace caravan;
 
-constexpr std::uint32_t kFirstPort = 8100;  // robot 1 on 8101, as ARCOS programs expect it
+constexpr std::uint32_t kFirstPort = 8100;  // 8101 for robot 1, the default of ARCOS programs
 constexpr std::uint32_t kFirstGpsPort = 8200;
 constexpr std::uint32_t kNotGiven = 0xffffffff;
 

@@ -27,7 +27,7 @@ Addresses parse(const std::vector<std::string>& port, const std::vector<std::str
   return addresses;
 }
 
-/// However the two are written: by name or in numbers, by a link or by the device itself.
+/// Recognises the same device by name or in numbers, by a link or directly.
 void refuse_one_for_both(const bridge::Endpoint& robot, const bridge::Endpoint& gps) {
   if (canonical(robot) != canonical(gps)) return;
   const std::string port = to_text(robot.address);
@@ -76,7 +76,7 @@ int main(int argc, char** argv) {
         check_baud(gps_baud, "--gps-baud");
         const Addresses addresses = parse(port, gps);
         const auto scenario = runtime::TomlDocument::load(start.scenario);
-        (void)bridge::load_robot_config(scenario, robot);  // is there such a robot?
+        (void)bridge::load_robot_config(scenario, robot);  // checks the robot's number
         const bridge::BridgeConfig config = bridge::load_bridge_config(scenario, addresses.gps.has_value());
         if (start.check_only) return runtime::kDone;
         const bridge::Devices devices = find(addresses, baud, gps_baud);

@@ -11,18 +11,18 @@
 
 namespace caravan::bridge {
 
-/// Time since the process began. It comes with the calls; the core never asks a clock.
+/// Time since the process started. Callers pass it in; the core reads no clock.
 using Time = std::chrono::nanoseconds;
 
 using robot_model::kSonarCount;
 
-/// A position in frame W (the arena's x and y), metres.
+/// A position in frame W, the arena's, metres.
 struct Point {
   double x_m = 0.0;
   double y_m = 0.0;
 };
 
-/// A robot's base in W.
+/// Pose of a robot's base in W.
 struct Pose {
   Point p_WB;
   double yaw_WB_rad = 0.0;  ///< counter-clockwise from W's x axis, in (-pi, pi]

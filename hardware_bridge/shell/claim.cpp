@@ -18,7 +18,7 @@ struct Name {
   socklen_t size = 0;
 };
 
-/// An abstract name begins with NUL; the end of a device's name says more than its beginning.
+/// An abstract name starts with NUL. A name too long for it loses its beginning: the end is more distinctive.
 Name name_of(const std::string& device) {
   std::string text = "caravan bridge ";
   const std::size_t room = sizeof(sockaddr_un::sun_path) - 1 - text.size();
@@ -32,7 +32,7 @@ Name name_of(const std::string& device) {
 
 Descriptor new_socket() { return Descriptor{socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)}; }
 
-/// Who listens under the name; empty when it is gone meanwhile.
+/// The process that listens under the name; empty when it has just ended.
 std::string holder_of(const Name& name) {
   const Descriptor asking = new_socket();
   const auto* address = reinterpret_cast<const sockaddr*>(&name.address);

@@ -7,15 +7,15 @@
 
 namespace caravan::bridge {
 
-/// The sole use of a device among the bridges of this machine, whoever runs them. Two hosts on one serial
-/// line take each other's bytes, and on TCP most devices drop the first for the second.
+/// Exclusive use of a device among the bridges of this machine, for all users. Two hosts on one serial line
+/// take each other's bytes; on TCP most devices drop the first host when a second connects.
 ///
-/// It is a name that the kernel forgets with its owner, however this ends (an abstract Unix socket).
+/// The claim is an abstract Unix socket: the kernel removes it when its process ends, however it ends.
 class Claim {
  public:
-  /// @param device  see canonical()
-  /// @param option  of the command line, for the message
-  /// @throws StartError with the process that has the device
+  /// @param device  from canonical()
+  /// @param option  command-line option, for the message
+  /// @throws StartError naming the process that has the device
   Claim(const std::string& device, const std::string& option);
 
  private:

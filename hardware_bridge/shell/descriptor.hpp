@@ -7,7 +7,7 @@
 
 namespace caravan::bridge {
 
-/// A file descriptor that is closed with its owner.
+/// A file descriptor, closed by its owner's destructor.
 class Descriptor {
  public:
   Descriptor() = default;

@@ -41,8 +41,8 @@ Answer ask(const PortAddress& address, int flags) {
   return answer;
 }
 
-/// The resolver may take longer than anybody wants to wait, and cannot be interrupted: it works in a thread
-/// that is left alone when it does.
+/// Limits the wait for the resolver, which cannot be interrupted: it runs in a thread that is abandoned when
+/// it takes too long.
 Answer ask_name_service(const PortAddress& address, const std::string& option) {
   spdlog::info("{}: looking up host {}", option, address.host);
   const auto promise = std::make_shared<std::promise<Answer>>();

@@ -8,9 +8,9 @@
 
 namespace caravan::bridge {
 
-/// Where a device is, as the command line names it: a serial port, or the same bytes over TCP.
+/// Address of a device on the command line: a serial port, or the same bytes over TCP.
 struct PortAddress {
-  std::string path;  ///< of a serial port; empty: TCP
+  std::string path;  ///< of a serial port; empty for TCP
   std::string host;
   std::string port;  ///< 1 to 65535
   bool operator==(const PortAddress&) const = default;
@@ -25,12 +25,12 @@ struct Endpoint {
   PortAddress address;
   std::optional<sockaddr_in> place;  ///< of a TCP address
 };
-/// Asks the name service for a host that is given by name, once: so a line never waits for it later, while
-/// wheels turn.
-/// @throws StartError naming `option` when the host is unknown or nothing is answered within 5 s
+/// Resolves a host name once, so that a line never waits for the name service while wheels turn.
+/// @throws StartError naming `option` when the host is unknown, or the name service does not answer within 5
+/// s
 [[nodiscard]] Endpoint resolve(const PortAddress& address, const std::string& option);
 
-/// The same for two names of one device: a serial port without symbolic links, a TCP address in numbers.
+/// One text for all names of a device: a serial port without symbolic links, a TCP address in numbers.
 [[nodiscard]] std::string canonical(const Endpoint& endpoint);
 
 }  // namespace caravan::bridge

@@ -49,13 +49,14 @@ Descriptor open_serial(const std::string& path, unsigned baud) {
   cfsetispeed(&settings, speed_of(baud));
   cfsetospeed(&settings, speed_of(baud));
   if (tcsetattr(port.number(), TCSANOW, &settings) != 0) return {};
-  // Nobody else may open it while it is ours (root may; see Claim).
+  // Exclusive: no other program may open it, except root's (see Claim).
   if (ioctl(port.number(), TIOCEXCL) != 0) return {};
   tcflush(port.number(), TCIOFLUSH);
   return port;
 }
 
-/// Of a port that could not be opened. A file that is not there may come: an adapter that is plugged in.
+/// Why a port that could not be opened will not work later either; empty: it may. A missing file may appear
+/// later, with an adapter that is plugged in.
 std::string why_in_vain(const std::string& path, int error) {
   if (error == EBUSY) return "in use by another program; end that one first";
   struct stat found {};
@@ -72,12 +73,12 @@ Descriptor begin_connecting(const sockaddr_in& place) {
   return begun ? std::move(socket) : Descriptor{};
 }
 
-/// A terminal outlives us when another program holds it, and our sole use with it.
+/// TIOCEXCL would stay set while another program still has the terminal open.
 void leave_to_others(int descriptor) {
-  ioctl(descriptor, TIOCNXCL);  // fails on a socket, which needs it not
+  ioctl(descriptor, TIOCNXCL);  // fails on a socket, which does not need it
 }
 
-/// Like write(), but a connection that has been closed raises no signal.
+/// Like write(), but without SIGPIPE on a closed connection.
 ssize_t write_some(int descriptor, const Bytes& bytes) {
   const ssize_t sent = send(descriptor, bytes.data(), bytes.size(), MSG_NOSIGNAL);
   if (sent >= 0 || errno != ENOTSOCK) return sent;
@@ -86,7 +87,8 @@ ssize_t write_some(int descriptor, const Bytes& bytes) {
 
 void send_at_once(int socket) {
   const int on = 1;
-  setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);  // fails on a serial port, which needs it not
+  setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on,
+             sizeof on);  // fails on a serial port, which does not need it
 }
 
 }  // namespace

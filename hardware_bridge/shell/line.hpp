@@ -14,7 +14,7 @@ namespace caravan::bridge {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A stream of bytes to a device. Once it is gone it stays so; open another. It never blocks.
+/// A stream of bytes to a device. It never blocks. A line that has failed stays closed until the next open().
 class Line {
  public:
   ~Line() { close(); }
@@ -22,35 +22,35 @@ class Line {
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
 
-  /// Begins to open. @param baud  of a serial port, 8 data bits, no parity, 1 stop bit, raw
-  /// @return what is wrong when it cannot even begin, otherwise empty
+  /// Starts to open the line. @param baud  of a serial port: raw, 8 data bits, no parity, 1 stop bit
+  /// @return the error if that is impossible, otherwise empty
   [[nodiscard]] std::string open(const Endpoint& endpoint, unsigned baud);
-  /// Takes over a connection that is there.
+  /// Takes over an established connection.
   void adopt(Descriptor descriptor);
   void close();
 
   [[nodiscard]] bool is_open() const { return descriptor_.is_open(); }
-  /// Open, and bytes can flow.
+  /// True when the line is open and bytes can flow.
   [[nodiscard]] bool is_up() const { return is_open() && !connecting_; }
-  /// It is gone because the device or a host before it ended the connection, or never took it up.
+  /// True when the line ended because the device, or a host in front of it, closed the connection.
   [[nodiscard]] bool is_closed_by_other_end() const { return closed_; }
-  /// Why opening it again is in vain: another program has the serial port for itself, or it is none. Empty:
+  /// Why it is useless to open the line again: another program uses the serial port, or it is not one. Empty:
   /// it is not.
   [[nodiscard]] const std::string& unfit() const { return unfit_; }
-  /// To be put into Loop::wait().
+  /// For Loop::wait().
   [[nodiscard]] runtime::Polled watched() const;
 
-  /// After a wait that said ready: goes on connecting, writes what has waited, reads what is there.
-  /// @return what has arrived; empty too when the line is gone or came up only now
+  /// Call when a wait reports the line ready: completes the connection, writes pending bytes, reads available
+  /// ones.
+  /// @return the bytes received; empty also when the line failed, or has just come up
   [[nodiscard]] Bytes attend();
-  /// Gives up a connection that is still being made when its time is over.
+  /// Abandons a connection attempt at its deadline.
   void expire(runtime::WallTime now);
-  /// When expire() has something to do.
+  /// Next deadline of expire().
   [[nodiscard]] std::optional<runtime::WallTime> next_deadline() const;
-  /// Writes now what can be written, the rest when attend() is called. More than 64 KiB behind is a line that
-  /// is gone.
+  /// Writes what can be written now, the rest in attend(). A line with more than 64 KiB pending fails.
   void write(const Bytes& bytes);
-  /// Why it is gone; empty while it is not.
+  /// Why the line failed; empty: it has not.
   [[nodiscard]] const std::string& failure() const { return failure_; }
 
  private:
@@ -61,7 +61,7 @@ class Line {
   Descriptor descriptor_;
   bool connecting_ = false;
   bool closed_ = false;
-  runtime::WallTime give_up_;  // connecting
+  runtime::WallTime give_up_;  // deadline of the connection attempt
   Bytes waiting_;
   std::string failure_;
   std::string unfit_;

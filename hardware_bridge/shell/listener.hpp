@@ -10,11 +10,11 @@
 
 namespace caravan::bridge {
 
-/// A TCP port of this machine, reachable on 127.0.0.1 alone.
+/// A TCP port of this machine, reachable only on 127.0.0.1.
 class Listener {
  public:
-  /// @param port  0: one that the kernel chooses
-  /// @throws StartError when the port cannot be had
+  /// @param port  0: chosen by the kernel
+  /// @throws StartError when the port is not available
   explicit Listener(std::uint16_t port);
 
   [[nodiscard]] std::uint16_t port() const { return port_; }
@@ -23,7 +23,7 @@ class Listener {
     Descriptor connection;
     std::string peer;  ///< "127.0.0.1:40312"
   };
-  /// The next connection that waits.
+  /// The next pending connection.
   [[nodiscard]] std::optional<Accepted> accept() const;
 
  private:

@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Another one in each process, so that a modem knows its own echo.
+/// Differs between processes, so that a modem recognises its own echo.
 std::uint32_t own_number(std::uint32_t robot) {
   return static_cast<std::uint32_t>(pure::mix_all(robot, static_cast<std::uint64_t>(getpid())));
 }
@@ -58,12 +58,12 @@ void ModemShell::read_mailbox() {
 }
 
 void ModemShell::read(const Discovery& news) {
-  sole_.see(news, false);  // the agent speaks to every modem
+  sole_.see(news, false);  // the agent sends to every modem
   const bool has_left =
       news.kind == Discovery::Kind::kGone || (news.kind == Discovery::Kind::kWriterGone &&
                                               news.topic == idl::name_for(idl::kRadioTransmit, number_));
   if (!has_left || !agent_.release(news.participant)) return;
-  session_ = 0;  // that of another agent's world may have any number
+  session_ = 0;  // the next agent's session may have any number
   for (const Tenure::Later& take_kept : agent_.hand_over()) take_kept();
   if (const auto holder = agent_.holder()) bus_.forgive(*holder);
 }

@@ -21,17 +21,17 @@
 
 namespace caravan::bridge {
 
-/// Where the modem is: a serial port, or the air that all modems of this machine share by UDP.
+/// Address of the modem: a serial port, or the UDP port that all modems of this machine share.
 struct ModemAddress {
   std::optional<Endpoint> serial;
   unsigned baud = 115200;
   std::uint16_t udp_port = 0;
 };
 
-/// A robot's radio topics served by a real radio: rt/robot_<i>/radio/tx in, rt/robot_<i>/radio/rx out.
+/// Connects a robot's radio topics to a real radio: rt/robot_<i>/radio/tx in, rt/robot_<i>/radio/rx out.
 ///
-/// What is heard is handed on at once, with session and stamp of the agent's newest transmission. The main
-/// thread owns everything; the bus's receiving thread only leaves transmissions in a mailbox.
+/// Received frames are published at once, with the session and stamp of the agent's latest transmission. The
+/// main thread owns the state; the bus's receiving thread only puts transmissions into a mailbox.
 class ModemShell {
  public:
   ModemShell(const modem::RadioLimits& limits, std::uint32_t robot, const ModemAddress& address,
@@ -40,8 +40,8 @@ class ModemShell {
   ModemShell(const ModemShell&) = delete;
   ModemShell& operator=(const ModemShell&) = delete;
 
-  /// Until the loop is told to stop. @return the exit code
-  /// @throws StartError when another modem serves the robot, or the port can never be one
+  /// Runs until the loop stops. @return the exit code
+  /// @throws StartError when another modem serves the robot, or the port cannot be a serial line
   int run();
 
  private:
@@ -66,7 +66,7 @@ class ModemShell {
   const ModemAddress address_;
   runtime::Loop& loop_;
   const runtime::WallTime began_;
-  const std::uint32_t number_;  // the robot's
+  const std::uint32_t number_;  // the robot's number
   const std::uint32_t own_;     // this modem's number in packets
   modem::HalfDuplex radio_;
   std::optional<Claim> claim_;

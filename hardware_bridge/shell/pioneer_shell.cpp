@@ -29,7 +29,7 @@ void log(const Notice& notice) {
               notice.text);
 }
 
-/// Sessions of later starts have higher numbers.
+/// Later starts have higher session numbers.
 std::uint64_t new_session() {
   return static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
 }
@@ -212,7 +212,7 @@ void PioneerShell::refuse(const std::string& why) {
 void PioneerShell::end() {
   bridge_.close();
   carry_out();
-  // The last words are short; a line that does not take them at once may never.
+  // The final packets are short: a line that does not accept them soon may never do so.
   const auto until = std::chrono::steady_clock::now() + kLastWords;
   Line& line = robot_.line;
   while (line.is_up() && line.watched().for_writing && std::chrono::steady_clock::now() < until) {

@@ -25,27 +25,28 @@ namespace caravan::bridge {
 /// The devices of one robot.
 struct Devices {
   Endpoint robot;
-  std::optional<unsigned> baud;  ///< of the robot; none: it is searched
+  std::optional<unsigned> baud;  ///< of the robot; none: search for it
   std::optional<Endpoint> gps;
   unsigned gps_baud = 9600;
 };
 
-/// The bridge on the bus: rt/robot_<i>/sensors out, rt/robot_<i>/command in, a robot and a GPS receiver on
-/// their ports.
+/// The Pioneer bridge on the bus: rt/robot_<i>/sensors out, rt/robot_<i>/command in, with a robot and a GPS
+/// receiver on their ports.
 ///
-/// The main thread owns everything; the bus's receiving thread only leaves commands in a mailbox. A device
-/// that is gone is opened again (see Retry). Whatever may be told again and again goes through a NoticeLimit.
+/// The main thread owns the state; the bus's receiving thread only puts commands into a mailbox. A lost line
+/// is reopened (see Retry). Repeated messages pass a NoticeLimit.
 class PioneerShell {
  public:
-  /// @throws StartError when another program uses a device
+  /// @throws StartError when another bridge uses a device
   PioneerShell(const BridgeConfig& config, std::uint32_t robot, const Devices& devices,
                const runtime::BusConfig& bus, runtime::Loop& loop);
   ~PioneerShell();
   PioneerShell(const PioneerShell&) = delete;
   PioneerShell& operator=(const PioneerShell&) = delete;
 
-  /// Until the loop is told to stop; then stops the wheels and closes the connection. @return the exit code
-  /// @throws StartError when another bridge serves the robot
+  /// Runs until the loop stops; then stops the wheels and closes the connection. @return the exit code
+  /// @throws StartError when another bridge serves the robot, another program has a port, or the robot cannot
+  /// be driven
   int run();
 
  private:
@@ -56,9 +57,9 @@ class PioneerShell {
   };
   using Mail = std::variant<runtime::Discovery, Command>;
 
-  /// A device, its line, and when it is opened again.
+  /// A device with its line, and the schedule of its reopening.
   struct Port {
-    /// @throws StartError when another bridge has it
+    /// @throws StartError when another bridge uses the device
     Port(Endpoint device, const std::string& prefix, const std::string& option)
         : endpoint{std::move(device)},
           name{prefix + to_text(endpoint.address)},
@@ -69,8 +70,8 @@ class PioneerShell {
     Claim claim;
     Line line;
     Retry retry;
-    bool was_ours = false;  ///< it has been open once
-    bool opened = false;    ///< its line was, and its end is not told yet
+    bool was_ours = false;  ///< has been open before
+    bool opened = false;    ///< has been open, and its end is not reported yet
   };
 
   [[nodiscard]] Time now() const { return std::chrono::steady_clock::now() - began_; }
@@ -81,14 +82,14 @@ class PioneerShell {
   void obey(const caravan_interfaces::msg::RobotCommand& command);
   void keep_lines_open();
   void open(Port& port, unsigned baud);
-  /// @return what has arrived
+  /// @return the bytes received
   [[nodiscard]] Bytes attend(Port& port, bool ready);
   void attend_robot(bool ready);
   void attend_gps(bool ready);
   void carry_out();
   void publish(const Frame& frame);
   void end();
-  /// @throws StartError  why this bridge cannot go on, with the wheels at rest
+  /// Stops the wheels and ends the bridge. @throws StartError with the reason
   [[noreturn]] void refuse(const std::string& why);
   void tell(Notice notice);
   void warn(std::string text) { tell({Notice::Weight::kWarning, std::move(text)}); }
@@ -98,7 +99,7 @@ class PioneerShell {
   runtime::Loop& loop_;
   const Wall began_;
   const std::uint64_t session_;
-  const std::uint32_t number_;  // the robot's
+  const std::uint32_t number_;  // the robot's number
 
   Bridge bridge_;
   Port robot_;

@@ -45,7 +45,7 @@ RobotShell::~RobotShell() { bus_.close(); }
 void RobotShell::read_mailbox() {
   using Kind = runtime::Discovery::Kind;
   for (const runtime::Discovery& news : mailbox_.take()) {
-    sole_.see(news, false);  // the body's frames come to everybody
+    sole_.see(news, false);  // every process receives the body's frames
     const bool has_left = news.kind == Kind::kGone || news.kind == Kind::kWriterGone;
     if (!has_left || !world_.release(news.participant)) continue;
     for (const runtime::Tenure::Later& take : world_.hand_over()) take();
@@ -140,7 +140,7 @@ void RobotShell::tell_ignored_commands() {
 void RobotShell::let_in_a_host() {
   auto another = robot_port_.accept();
   if (!another) return;
-  // One host at a time; none while the robot has no body, as if it were switched off.
+  // One host at a time; none while the robot has no body, as if switched off.
   if (!host_.is_open() && session_ != 0) {
     host_.adopt(std::move(another->connection));
     host_peer_ = another->peer;
@@ -180,7 +180,7 @@ void RobotShell::attend_robot(bool host_waits, bool ready) {
   }
   let_go_of_a_host_that_has_gone();
   let_go_of_a_silent_host();
-  // After the end of the one before: a host that connects again at once is let in.
+  // After the end of the previous host, so that a host may reconnect at once.
   if (host_waits) let_in_a_host();
   robot_.tick(now());
   const Bytes output = robot_.take_output();
@@ -209,7 +209,7 @@ void RobotShell::let_in_a_gps_client() {
 
 void RobotShell::attend_gps(bool client_waits, bool ready) {
   if (ready) (void)gps_client_.attend();
-  // After the end of the one before, as hosts.
+  // After the end of the previous client, as for hosts.
   if (client_waits) let_in_a_gps_client();
   const std::lock_guard lock{mutex_};
   const std::string lines = gps_.take_lines(now());

@@ -18,15 +18,15 @@
 
 namespace caravan::bridge {
 
-/// An emulated Pioneer between a body of the world and a host on TCP.
+/// An emulated Pioneer between a body in the world and a host on TCP.
 ///
-/// The body's frames arrive on the bus's receiving thread and are answered there; the main thread keeps the
-/// two ports and the robot's clock. The robot is switched on with the first frame, and again with that of
-/// another session: a host sees its connection end.
+/// The bus's receiving thread handles the body's frames and answers them. The main thread serves both ports
+/// and the robot's timers. The robot is switched on with the first frame, and again with the first frame of a
+/// new session: then the host's connection ends.
 class RobotShell {
  public:
   struct Ports {
-    std::uint16_t robot = 0;  ///< 0: one that the kernel chooses
+    std::uint16_t robot = 0;  ///< 0: chosen by the kernel
     std::uint16_t gps = 0;
   };
   RobotShell(const RobotConfig& config, std::uint32_t robot, const Ports& ports,
@@ -35,15 +35,15 @@ class RobotShell {
   RobotShell(const RobotShell&) = delete;
   RobotShell& operator=(const RobotShell&) = delete;
 
-  /// Until the loop is told to stop. @return the exit code
+  /// Runs until the loop stops. @return the exit code
   /// @throws StartError when another process emulates the robot
   int run();
 
  private:
   using Wall = runtime::WallTime;
 
-  // These under the lock.
-  /// @throws StartError, as run() does
+  // Called with the lock held.
+  /// @throws StartError as run() does
   void read_mailbox();
   void on_body(const caravan_interfaces::msg::SensorFrame& frame);
   void answer(const caravan_interfaces::msg::SensorFrame& frame);
@@ -66,12 +66,12 @@ class RobotShell {
   Listener robot_port_;
   Listener gps_port_;
   Line host_;
-  bool has_host_ = false;  // a line that has failed is closed, its host still to be let go
+  bool has_host_ = false;  // also while its line has failed and is not handled yet
   Line gps_client_;
-  std::string host_peer_;  // where they come from
+  std::string host_peer_;  // addresses of the clients
   std::string gps_peer_;
-  bool told_turned_away_ = false;        // since a host was let in
-  bool told_gps_turned_away_ = false;    // since a client was
+  bool told_turned_away_ = false;        // since the last accepted host
+  bool told_gps_turned_away_ = false;    // since the last accepted client
   std::set<std::uint8_t> told_unknown_;  // commands of this host
   std::set<std::uint8_t> told_malformed_;
 
@@ -80,7 +80,7 @@ class RobotShell {
   GpsReceiver gps_;
   BodyWatch body_watch_;
   std::uint64_t session_ = 0;
-  bool rebooted_ = false;  // since the main thread looked
+  bool rebooted_ = false;  // since the last check by the main thread
   std::uint64_t refused_writes_ = 0;
   runtime::Tenure world_;
 

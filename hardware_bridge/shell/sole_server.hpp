@@ -12,21 +12,21 @@
 
 namespace caravan::bridge {
 
-/// Of several bridges for one robot in a DDS domain, on whatever hosts and ports, the first stays (see
-/// runtime::Clash); so of modems and emulated robots.
+/// Ensures that one bridge serves a robot in a DDS domain, on whatever hosts and ports: the first one stays
+/// (see runtime::Clash). The same applies to modems and emulated robots.
 ///
 /// Not thread-safe.
 class SoleServer {
  public:
-  /// @param topic  that each of them writes for its robot
+  /// @param topic  topic that each of them writes for its robot
   SoleServer(const runtime::Bus& bus, double lease_s, const idl::Topic& topic, std::uint32_t robot);
 
-  /// To be told of all discovery. @param in_use  somebody has answered this process
+  /// Call with every discovery event. @param in_use  this process already serves an agent
   void see(const runtime::Discovery& news, bool in_use);
-  /// Another one serves the robot: write nothing.
+  /// Another process serves the robot: write nothing.
   [[nodiscard]] bool must_be_silent() const { return clash_.must_be_silent(); }
   [[nodiscard]] std::optional<runtime::WallTime> next_deadline() const { return clash_.deadline(); }
-  /// Why this process has to end; empty: it need not.
+  /// Why this process must end; empty: it need not.
   [[nodiscard]] std::string lost() const;
 
  private:

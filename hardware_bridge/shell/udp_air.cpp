@@ -43,7 +43,7 @@ UdpAir::UdpAir(std::uint16_t port) : port_{port}, hearing_{udp_socket()}, speaki
 
 void UdpAir::send(std::span<const std::uint8_t> packet) {
   const sockaddr_in address = everybody_on(port_);
-  // Lost where nobody hears or a buffer is full, as on a real air.
+  // Losses are intended, as on a real radio: no receiver, or a full buffer.
   (void)!sendto(speaking_.number(), packet.data(), packet.size(), 0,
                 reinterpret_cast<const sockaddr*>(&address), sizeof address);
 }

@@ -11,15 +11,15 @@
 
 namespace caravan::bridge {
 
-/// An air that all modems on this machine share: datagrams broadcast on the loopback network, which nothing
-/// leaves.
+/// The radio channel shared by all modems of this machine: datagrams broadcast on the loopback network, which
+/// do not leave the machine.
 class UdpAir {
  public:
-  /// @throws StartError when the port cannot be had
+  /// @throws StartError when the port is not available
   explicit UdpAir(std::uint16_t port);
 
   void send(std::span<const std::uint8_t> packet);
-  /// The next datagram that waits, one's own too.
+  /// The next pending datagram, own ones included.
   [[nodiscard]] std::optional<std::vector<std::uint8_t>> receive();
   [[nodiscard]] runtime::Polled watched() const { return {hearing_.number(), false, false}; }
 

@@ -12,12 +12,12 @@
 
 namespace caravan::bridge::arcos {
 
-/// Takes little-endian fields from the front of a packet's data; asks nothing beyond its end.
+/// Reads little-endian fields from the front of a packet's data, never beyond its end.
 class FieldReader {
  public:
   explicit FieldReader(std::span<const std::uint8_t> data) : data_{data} {}
 
-  /// False: it is not whole, and `field` as it was.
+  /// False: the field is incomplete, and `field` is unchanged.
   template <typename Field>
   bool read(Field& field) {
     if (data_.size() < sizeof(Field)) return false;
@@ -27,7 +27,7 @@ class FieldReader {
     data_ = data_.subspan(sizeof(Field));
     return true;
   }
-  /// The optional tail: once a field is not whole, none follows.
+  /// An optional field: after the first incomplete one, none follows.
   template <typename Field>
   bool read(std::optional<Field>& field) {
     Field value{};
@@ -35,7 +35,7 @@ class FieldReader {
     field = value;
     return true;
   }
-  /// Up to a NUL.
+  /// Text up to a NUL.
   bool read(std::string& text) {
     const auto end = std::find(data_.begin(), data_.end(), 0);
     if (end == data_.end()) return false;
@@ -48,7 +48,7 @@ class FieldReader {
   std::span<const std::uint8_t> data_;
 };
 
-/// The other way round.
+/// Writes little-endian fields.
 class FieldWriter {
  public:
   template <typename Field>

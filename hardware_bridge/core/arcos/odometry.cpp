@@ -10,7 +10,7 @@ namespace {
 constexpr int kPositionCounts = 1 << 15;
 constexpr double kRadiansPerCount = 2.0 * std::numbers::pi / kHeadingCounts;
 
-/// The difference of two counters that wrap, nearest to zero.
+/// Difference of two wrapping counters, the one nearest to zero.
 int difference(int now, int before, int wraps_at) {
   int change = (now - before) % wraps_at;
   if (change < 0) change += wraps_at;

@@ -8,30 +8,30 @@
 
 namespace caravan::bridge::arcos {
 
-/// What a count of a robot's subtype means.
+/// Scale of the odometry of a robot subtype.
 struct Factors {
-  double position_m = 0.001;  ///< of x and y in a SIP
+  double position_m = 0.001;  ///< metres per count of x and y in a SIP
 };
-/// Empty for a subtype that this project has no numbers for.
+/// None for a subtype without known factors.
 [[nodiscard]] std::optional<Factors> factors_of(std::string_view subtype);
 
-inline constexpr int kHeadingCounts = 4096;  ///< to the turn
+inline constexpr int kHeadingCounts = 4096;  ///< counts per turn
 
-/// How the base moved between two SIPs, by the robot's own dead reckoning.
+/// Motion of the base between two SIPs, by the robot's own dead reckoning.
 struct Moved {
-  double ahead_m = 0.0;  ///< along its heading half-way, backward negative
+  double ahead_m = 0.0;  ///< along the mean heading; backwards negative
   double turned_rad = 0.0;
 };
 
-/// Follows the odometry of successive SIPs across the wraps of its counters.
+/// Evaluates the odometry of successive SIPs across the wraps of its counters.
 class Odometry {
  public:
   explicit Odometry(const Factors& factors) : factors_{factors} {}
 
-  /// Since the SIP before; nothing for the first. Right as long as less than 2^14 counts of way and half a
-  /// turn lie between two SIPs.
+  /// Motion since the previous SIP; none for the first. @pre less than 2^14 counts and half a turn between
+  /// two SIPs
   [[nodiscard]] Moved follow(const Sip& sip);
-  /// The next SIP is a first one: the counters may have been set to zero meanwhile.
+  /// Treats the next SIP as the first: the counters may have been reset in between.
   void restart() { last_.reset(); }
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint8_t kFirst = 0xfa;
 constexpr std::uint8_t kSecond = 0xfb;
-constexpr std::size_t kHeader = 3;  // FA FB count
+constexpr std::size_t kHeader = 3;  // FA FB and the count
 constexpr std::size_t kSumBytes = 2;
 
 }  // namespace

@@ -10,28 +10,28 @@ namespace caravan::bridge::arcos {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Data bytes of the longest packet that either side sends.
+/// Largest number of data bytes in a packet, in either direction.
 inline constexpr std::size_t kMostData = 202;
 
-/// Sum of the big-endian 16-bit pairs, a last odd byte by exclusive or.
+/// Sum of the big-endian 16-bit pairs; an odd last byte is combined by exclusive or.
 [[nodiscard]] std::uint16_t checksum(std::span<const std::uint8_t> data);
 
-/// FA FB, the count, the data, the checksum. @pre 1 to kMostData bytes
+/// FA FB, the count, the data, the checksum. @pre 1 to kMostData data bytes
 [[nodiscard]] Bytes to_packet(std::span<const std::uint8_t> data);
 
-/// Finds packets in a stream of bytes, whatever lies between them.
+/// Finds packets in a stream of bytes with noise in between.
 ///
-/// A packet with a wrong checksum or an impossible count is given up at its first byte only, so that a whole
-/// packet behind a torn one is not lost with it. Never holds more than one packet's length.
+/// After a wrong checksum or an impossible count only the first byte is dropped: a complete packet behind a
+/// truncated one is found. Stores at most the length of one packet.
 class PacketFinder {
  public:
-  /// @return the data of each packet that these bytes complete, in order
+  /// @return the data of each packet completed by these bytes, in order
   [[nodiscard]] std::vector<Bytes> feed(std::span<const std::uint8_t> bytes);
-  /// Forgets what is half received: the line is another one now.
+  /// Discards a partly received packet, for a new connection.
   void restart() { held_.clear(); }
 
   [[nodiscard]] std::uint64_t bad_checksums() const { return bad_checksums_; }
-  /// Bytes that belonged to no packet.
+  /// Bytes outside of packets.
   [[nodiscard]] std::uint64_t stray_bytes() const { return stray_bytes_; }
 
  private:

@@ -5,10 +5,10 @@
 
 #include "hardware_bridge/core/arcos/packet.hpp"
 
-/// What a robot sends beside its SIPs when it is asked for it.
+/// The packets other than SIPs that a robot sends on request.
 namespace caravan::bridge::arcos {
 
-/// How far each wheel has turned since the robot was switched on, in ticks; wraps.
+/// Distance that each wheel has turned since the robot was switched on, in ticks; wraps.
 struct EncoderReport {
   std::int32_t left_ticks = 0;
   std::int32_t right_ticks = 0;
@@ -17,9 +17,9 @@ struct EncoderReport {
 /// The robot's inputs and outputs.
 struct IoReport {
   std::uint8_t digital_in = 0;
-  std::uint8_t front_bumpers = 0;  ///< a bit for each segment
+  std::uint8_t front_bumpers = 0;  ///< one bit per segment
   std::uint8_t rear_bumpers = 0;
-  std::uint8_t infrared = 0xff;  ///< a bit is 0 where something is seen
+  std::uint8_t infrared = 0xff;  ///< one bit per sensor, 0: detects something
   std::uint8_t digital_out = 0;
   std::array<std::uint16_t, 9> analog{};  ///< 0 to 1023
 };
@@ -27,10 +27,10 @@ struct IoReport {
 struct GripperReport {
   std::uint8_t type = 1;  ///< 0 none, 1 on the user I/O port
   std::uint8_t state = 0;
-  std::uint8_t grasp_time = 0;  ///< 20 ms each
+  std::uint8_t grasp_time = 0;  ///< units of 20 ms
 };
 
-/// Of a joystick on the robot's own port; the middle of an axis is 512.
+/// A joystick on the robot's own port; the centre of an axis is 512.
 struct JoystickReport {
   std::uint8_t button_1 = 0;
   std::uint8_t button_2 = 0;
@@ -39,7 +39,7 @@ struct JoystickReport {
   std::uint16_t throttle = 0;
 };
 
-/// In the gripper's state, in SIP and GripperReport.
+/// Bits of the gripper's state, in SIP and GripperReport.
 inline constexpr std::uint8_t kPaddlesOpen = 1U << 0U;
 inline constexpr std::uint8_t kPaddlesClosed = 1U << 1U;
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint8_t kType = 0x20;
 
-/// Gives each field to `take`, in the order of the packet, until it says false.
+/// Passes each field to `take`, in the order of the packet, until it returns false.
 template <typename SettingsOrConst, typename Take>
 bool each_of_all_robots(SettingsOrConst& it, const Take& take) {
   return take(it.type) && take(it.subtype) && take(it.serial_number) && take(it.four_motors) &&
@@ -36,7 +36,7 @@ bool each_of_newer_robots(SettingsOrConst& it, const Take& take) {
          take(it.charge_threshold_dv);
 }
 
-/// Sets a field to 0 or no text.
+/// Sets a field to 0, or to an empty text.
 struct Clear {
   template <typename Field>
   bool operator()(Field& field) const {

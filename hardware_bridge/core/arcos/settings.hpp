@@ -10,14 +10,14 @@
 
 namespace caravan::bridge::arcos {
 
-/// What a robot answers to CONFIG: how it is built and set up, with the values that a Pioneer 3-DX is
-/// delivered with. Fields in the order of the packet.
+/// The answer to CONFIG: construction and settings of the robot. Defaults are those of a Pioneer 3-DX as
+/// delivered. Fields are in the order of the packet.
 struct Settings {
   std::string type = "Pioneer";
   std::string subtype = "p3dx";  ///< or "p3dx-sh"
   std::string serial_number;
   std::uint8_t four_motors = 0;
-  std::uint16_t top_turn_degps = 360;  ///< this and the next ones: nothing can be set above them
+  std::uint16_t top_turn_degps = 360;  ///< this and the other top_ fields: upper limits of what can be set
   std::uint16_t top_speed_mmps = 1500;
   std::uint16_t top_turn_acceleration_degps2 = 600;
   std::uint16_t top_acceleration_mmps2 = 4000;
@@ -31,15 +31,15 @@ struct Settings {
   std::uint8_t rear_sonar = 1;
   std::uint16_t low_battery_dv = 110;  ///< tenths of a volt
   std::uint16_t ticks_per_turn = 16570;
-  std::uint16_t watchdog_ms = 2000;  ///< without a packet for so long, wheels at zero; 0: never
+  std::uint16_t watchdog_ms = 2000;  ///< wheels stop after this time without a packet; 0: never
 
-  // Older firmware ends somewhere below.
+  // Older firmware ends at one of the following fields.
   std::uint8_t alternative_sip = 0;
   std::uint16_t stall_pulse_width = 200;
   std::uint16_t stall_ms = 100;
   std::uint16_t joystick_speed_mmps = 0;
   std::uint16_t joystick_turn_degps = 0;
-  std::uint16_t max_turn_degps = 100;  ///< this and the next ones: as set now
+  std::uint16_t max_turn_degps = 100;  ///< this and the following fields: as currently set
   std::uint16_t max_speed_mmps = 750;
   std::uint16_t turn_acceleration_degps2 = 100;
   std::uint16_t turn_deceleration_degps2 = 100;
@@ -57,12 +57,12 @@ struct Settings {
   std::uint8_t sonar_cycle_ms = 40;
   std::uint8_t automatic_baud = 2;  ///< 2: the rate can be changed
   std::uint8_t gyro = 0;
-  std::int16_t drift_factor = 0;  ///< 1/8192
+  std::int16_t drift_factor = 0;  ///< units of 1/8192
   std::uint8_t auxiliary_2_baud = 0;
   std::uint8_t auxiliary_3_baud = 0;
   std::uint16_t ticks_per_mm = 128;
   std::uint16_t shutdown_dv = 0;
-  std::string firmware;  ///< "2.9"
+  std::string firmware;  ///< such as "2.9"
   std::uint16_t gyro_clockwise = 0;
   std::uint16_t gyro_counter_clockwise = 0;
   std::uint8_t kinematics_delay_ms = 0;
@@ -77,8 +77,8 @@ struct Settings {
 
 /// The packet's data.
 [[nodiscard]] Bytes encode(const Settings& settings);
-/// Empty when the data is no such packet, or ends before the watchdog. What an older robot does not send is
-/// 0.
+/// None when the data is no such packet, or ends before the watchdog. Fields that an older robot does not
+/// send are 0.
 [[nodiscard]] std::optional<Settings> decode_settings(std::span<const std::uint8_t> data);
 
 }  // namespace caravan::bridge::arcos

@@ -10,8 +10,8 @@
 
 namespace caravan::bridge::arcos {
 
-/// The last reading of each transducer and when it came. A SIP says nothing of those that have not fired
-/// since the one before.
+/// The last reading of each transducer and its time of arrival. A SIP contains only transducers that have
+/// fired since the previous SIP.
 class SonarMemory {
  public:
   void hear(std::span<const Sip::Sonar> readings, Time now) {
@@ -21,7 +21,7 @@ class SonarMemory {
   }
   void forget() { heard_.fill(std::nullopt); }
 
-  /// +inf: no echo; NaN: never heard of.
+  /// +inf: no echo; NaN: no reading yet.
   [[nodiscard]] std::array<double, kSonarCount> ranges_m() const {
     std::array<double, kSonarCount> ranges{};
     for (std::size_t i = 0; i < kSonarCount; ++i) {
@@ -31,8 +31,8 @@ class SonarMemory {
     }
     return ranges;
   }
-  /// Since the reading arrived; +inf: never heard of. The robot does not say when within a SIP's period a
-  /// transducer fired.
+  /// Time since the reading arrived; +inf: no reading yet. The robot does not report when within the period
+  /// of a SIP a transducer fired.
   [[nodiscard]] std::array<double, kSonarCount> ages_s(Time now) const {
     std::array<double, kSonarCount> ages{};
     for (std::size_t i = 0; i < kSonarCount; ++i) {

@@ -7,24 +7,24 @@
 
 namespace caravan::bridge {
 
-/// Which rate is tried next on a serial line whose robot does not answer.
+/// The order in which baud rates are tried on a serial line whose robot does not answer.
 ///
-/// The rates go round, 9600 first: what a Pioneer is delivered with. Once a robot has answered at a rate,
-/// that one comes first again, and then every second time: a robot that was away is found within two
-/// attempts.
+/// The rates are tried in turn, starting with 9600, the default of a Pioneer. After a robot has answered at a
+/// rate, that rate is tried again first, and then at every second attempt: a robot that was away is found
+/// within two attempts.
 class BaudSearch {
  public:
   [[nodiscard]] unsigned rate() const { return answered_ && tries_answered_ ? *answered_ : kRates[at_]; }
-  /// The robot answers at this rate.
+  /// A robot answers at this rate.
   void found() {
     answered_ = rate();
     tries_answered_ = true;
     fresh_ = true;
   }
-  /// It does not, or no longer.
+  /// No robot answers at this rate, or it no longer does.
   void next() {
     if (fresh_) {
-      fresh_ = false;  // the rate at which it has just answered, once more
+      fresh_ = false;  // tries once more the rate at which the robot has just answered
       return;
     }
     if (answered_) tries_answered_ = !tries_answered_;
@@ -36,7 +36,7 @@ class BaudSearch {
   std::size_t at_ = 0;
   std::optional<unsigned> answered_;
   bool tries_answered_ = false;
-  bool fresh_ = false;  // it has answered since the line was opened
+  bool fresh_ = false;  // the robot has answered since the line was opened
 };
 
 }  // namespace caravan::bridge

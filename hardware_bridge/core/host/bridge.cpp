@@ -16,10 +16,10 @@ namespace {
 
 constexpr double kCompassUnit_rad = 2.0 * std::numbers::pi / 180.0;
 constexpr std::uint8_t kCompassUnits = 180;
-// No Pioneer 3-DX is quicker.
+// Above what a Pioneer 3-DX can reach.
 constexpr double kTopSpeed_mps = 2.2;
 constexpr double kTopTurn_radps = 500.0 / 180.0 * std::numbers::pi;
-constexpr Time kJitter = 300ms;  // between two SIPs
+constexpr Time kJitter = 300ms;  // of the time between two SIPs
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 std::variant<ArcosGripper, ImaginedGripper> gripper_of(const BridgeConfig& config) {
@@ -135,7 +135,7 @@ void Bridge::follow(const arcos::Sip& sip, Time now) {
 
 void Bridge::publish(Time now) {
   Frame frame;
-  frame.stamp = last_stamp_ = std::max(now, last_stamp_ + 1us);  // two SIPs may arrive at once
+  frame.stamp = last_stamp_ = std::max(now, last_stamp_ + 1us);  // two SIPs may arrive together
   frame.sonar_range_m = sonars_.ranges_m();
   frame.sonar_age_s = sonars_.ages_s(now);
   const auto pose = fusion_.pose(now);

@@ -25,20 +25,20 @@ struct BridgeConfig {
   LinkConfig link;
   FusionConfig fusion;
   ArenaPlace arena;
-  double gps_jump_m = 5.0;          ///< a fix farther than this from where it is expected is an outlier
-  double compass_offset_rad = 0.0;  ///< added to what the compass says, clockwise
-  Time command_timeout = std::chrono::milliseconds{600};  ///< without a command for so long, wheels at rest
-  std::optional<double> position_count_m;                 ///< of the odometry; none: by the robot's subtype
+  double gps_jump_m = 5.0;          ///< a fix farther than this from the expected place is an outlier
+  double compass_offset_rad = 0.0;  ///< added to the compass reading, clockwise
+  Time command_timeout = std::chrono::milliseconds{600};  ///< longest time without a command; then at rest
+  std::optional<double> position_count_m;                 ///< scale of the odometry; none: from the subtype
   double low_battery_v = 11.5;
-  bool has_gripper = true;  ///< false: it is imagined by position
-  Point source_W;           ///< for an imagined gripper
+  bool has_gripper = true;  ///< false: simulated by position
+  Point source_W;           ///< for a simulated gripper
   double service_radius_m = 1.5;
   double wheel_limit_mps = robot_model::kWheelLimit_mps;
   double track_m = robot_model::kTrack_m;
   double wheel_radius_m = robot_model::kWheelRadius_m;
 };
 
-/// What the agent is told at each SIP. A real that is not known now is NaN.
+/// The sensor values for the agent, one frame per SIP. NaN: the value is unknown.
 struct Frame {
   Time stamp{0};
   std::array<double, kSonarCount> sonar_range_m{};
@@ -46,24 +46,24 @@ struct Frame {
   double x_m = 0.0;
   double y_m = 0.0;
   double yaw_rad = 0.0;
-  double left_wheel_rad = 0.0;  ///< since the bridge began
+  double left_wheel_rad = 0.0;  ///< since the bridge started
   double right_wheel_rad = 0.0;
   bool holding = false;
 };
 
-/// What an agent asks of its robot.
+/// A command of the agent.
 struct Wish {
   double left_mps = 0.0;  ///< rim speeds
   double right_mps = 0.0;
   bool gripper_closed = false;
 };
 
-/// The whole bridge between an agent and a Pioneer, without ports, topics and clocks: bytes and wishes in,
-/// bytes and frames out.
+/// The bridge between an agent and a Pioneer as a function of values, without ports, topics and clocks:
+/// receives bytes and commands, returns bytes and frames.
 ///
-/// Wheels turn only while a wish is younger than the command timeout (less the time to brake), the robot is
-/// heard and receives, its place is known and no emergency stop holds it; when one of these ends they are
-/// told to stop at once, and again every half second.
+/// Wheels turn only under these conditions: the last command is younger than the command timeout less the
+/// braking time; the robot is heard and receives; its pose is known; no emergency stop is latched. When a
+/// condition ends, the wheels are told to stop at once, and again every half second.
 class Bridge {
  public:
   explicit Bridge(const BridgeConfig& config);
@@ -73,24 +73,24 @@ class Bridge {
   void robot_says(std::span<const std::uint8_t> bytes, Time now);
   void gps_says(std::span<const std::uint8_t> bytes, Time now);
   void gps_down() { gps_.restart(); }
-  /// @param answers  stamp of the frame that it answers; older than the command timeout, it is ignored
+  /// @param answers  stamp of the frame that it answers; ignored when this is older than the command timeout
   void wish(const Wish& wish, Time answers, Time now);
-  /// The agent has gone.
+  /// Forgets the last command: the agent has left.
   void forget_wish(Time now);
   void tick(Time now);
-  /// When tick() has something to do, at the latest.
+  /// Latest time for the next tick().
   [[nodiscard]] Time next_deadline(Time now) const;
-  /// The program ends: wheels at zero, connection closed.
+  /// Stops the wheels and closes the connection, at the end of the program.
   void close() { link_.close(); }
 
   struct Effects {
     arcos::Bytes to_robot;
     std::vector<Frame> frames;
     std::vector<Notice> notices;
-    bool reopen_robot = false;  ///< close the line and open it again, with the next baud rate if it has one
+    bool reopen_robot = false;  ///< close the line and reopen it, at the next baud rate if it is serial
     std::string unfit;          ///< why this robot cannot be driven at all; empty: it can
   };
-  /// What has come of the calls since the last time.
+  /// Effects of all calls since the previous take_effects().
   [[nodiscard]] Effects take_effects();
 
   [[nodiscard]] bool may_move(Time now) const;
@@ -131,15 +131,15 @@ class Bridge {
   double left_wheel_rad_ = 0.0;
   double right_wheel_rad_ = 0.0;
   Time last_stamp_{-1};
-  std::optional<Time> wished_;  // when the last wish came
+  std::optional<Time> wished_;  // time of the last command
   Wish wish_;
-  bool moved_ = false;             // it was allowed to at the last look
-  bool stopped_unwished_ = false;  // for want of a command, which is not told yet
+  bool moved_ = false;             // allowed to move at the last check
+  bool stopped_unwished_ = false;  // stopped because commands are missing, not reported yet
   Time stop_due_{0};
-  std::optional<Time> tell_due_;  // why it stands; none: it did not look yet
+  std::optional<Time> tell_due_;  // when to report what is awaited; none: not checked yet
   bool was_heard_ = false;
   bool was_safe_ = true;
-  std::optional<Time> followed_;  // the SIP before
+  std::optional<Time> followed_;  // time of the previous SIP
   bool had_position_ = false;
   std::uint64_t refused_ = 0;
   std::uint64_t clamped_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// When the wheels of a bridged robot may turn, and what is told while they may not.
+// When the wheels of a bridged robot may turn, and what is reported while they may not.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -18,7 +18,7 @@ constexpr Time kTellWaiting = 5s;
 constexpr Time kTellAgain = 60s;
 constexpr Time kBraking = 200ms;
 
-/// For how long a command is carried out: when its time is over the wheels are at rest.
+/// How long a command is carried out: the rest of its time is for braking.
 Time holds(Time command_timeout) { return command_timeout - std::min(kBraking, command_timeout / 3); }
 
 }  // namespace
@@ -61,8 +61,8 @@ void Bridge::keep_still(Time now) {
   moved_ = may;
 }
 
-/// With the next SIP: a robot that has fallen silent gives its agent nothing to answer, and that alone is
-/// told.
+/// Reports with the next SIP. The agent of a silent robot has nothing to answer; then only the silence is
+/// reported.
 void Bridge::tell_of_missing_commands() {
   if (!std::exchange(stopped_unwished_, false)) return;
   note(Weight::kWarning,

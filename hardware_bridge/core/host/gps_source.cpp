@@ -11,7 +11,7 @@
 namespace caravan::bridge {
 namespace {
 
-/// The projection is good within some hundred metres; no arena is larger.
+/// The projection is accurate within some hundred metres; no arena is larger.
 constexpr double kFarthest_m = 1000.0;
 constexpr unsigned kRepeatsWorthTelling = 3;
 constexpr unsigned kRmcsWorthTelling = 5;
@@ -79,7 +79,7 @@ bool GpsSource::is_new(const nmea::Gga& gga, Time now) {
   return true;
 }
 
-/// By how much later it came than the quickest fix. UTC that goes back is a receiver that has set its clock.
+/// Delay relative to the quickest fix. UTC that goes back means that the receiver has set its clock.
 Time GpsSource::age(const nmea::Gga& gga, Time now) {
   const double since_last_s =
       last_time_of_day_s_ ? std::remainder(gga.time_of_day_s - *last_time_of_day_s_, kDay_s) : -1.0;
@@ -132,7 +132,7 @@ void GpsSource::hear(const nmea::Gga& gga, const Point& expected_W, Time now, st
 
 void GpsSource::hear(const nmea::Rmc& rmc, std::vector<News>& news) {
   has_place_ = true;
-  if (!rmc.valid) news.emplace_back(Lost{});  // its place is GGA's
+  if (!rmc.valid) news.emplace_back(Lost{});  // a position is taken from GGA only
   if (++without_gga_ % kRmcsWorthTelling != 0) return;
   warn("the receiver sends RMC but no GGA, which says how good a fix is: switch GGA on in the receiver");
 }

@@ -13,26 +13,26 @@
 
 namespace caravan::bridge {
 
-/// What a GPS receiver's bytes say of the robot's position: fixes that may be believed, and the loss of them.
-/// Whatever is refused is told by its reason, and once when no fix has come 10 s after the line was up.
+/// Evaluates the bytes of a GPS receiver: credible fixes, and the loss of the position. Reports the reason of
+/// each refusal, and once if there is no fix within 10 s.
 class GpsSource {
  public:
   GpsSource(const ArenaPlace& arena, double jump_m) : projection_{arena}, gate_{jump_m} {}
 
   struct Fix {
     Point antenna_W;
-    bool anew = false;  ///< the position begins anew there
+    bool anew = false;  ///< the position starts anew there
   };
-  /// Position is no longer known.
+  /// The position is no longer known.
   struct Lost {};
   using News = std::variant<Fix, Lost>;
 
   /// @param expected_W  see FixGate::judge
   [[nodiscard]] std::vector<News> feed(std::span<const std::uint8_t> bytes, const Point& expected_W,
                                        Time now);
-  /// To be called now and then, while there is a line.
+  /// Call regularly while the line is up.
   void tick(Time now);
-  /// The line is another one now, and so may be the receiver's time.
+  /// A new connection: the receiver's clock may differ.
   void restart() {
     sentences_.restart();
     up_.reset();
@@ -40,7 +40,7 @@ class GpsSource {
     shortest_way_s_.reset();
   }
 
-  /// Between two fixes that were new, the shortest of the last few; none before there were enough.
+  /// Shortest time between two new fixes among the last few; none before there are enough.
   [[nodiscard]] std::optional<Time> period() const;
   [[nodiscard]] std::vector<Notice> take_notices();
 
@@ -49,7 +49,7 @@ class GpsSource {
   void hear(const nmea::Rmc& rmc, std::vector<News>& news);
   [[nodiscard]] bool is_new(const nmea::Gga& gga, Time now);
   [[nodiscard]] Time age(const nmea::Gga& gga, Time now);
-  /// What is wrong with a place; empty: nothing.
+  /// The fault of a position; empty: none.
   [[nodiscard]] std::string complaint_about(const Point& fix_W) const;
   void tell_of_line(std::size_t bytes, bool understood);
   void warn(std::string text) { notices_.push_back({Notice::Weight::kWarning, "GPS: " + std::move(text)}); }
@@ -58,18 +58,18 @@ class GpsSource {
   FixGate gate_;
   nmea::SentenceFinder sentences_;
   std::optional<double> last_time_of_day_s_;
-  unsigned repeats_ = 0;                  // of that time
-  std::optional<double> shortest_way_s_;  // host time less UTC, of the fix that came quickest
+  unsigned repeats_ = 0;                  // number of fixes with that time
+  std::optional<double> shortest_way_s_;  // host time minus UTC of the quickest fix
   std::optional<Time> last_new_;
   std::deque<Time> periods_;
-  unsigned without_gga_ = 0;        // RMCs since the last one
+  unsigned without_gga_ = 0;        // RMCs since the last GGA
   std::size_t not_understood_ = 0;  // bytes since the last sentence
-  std::optional<Time> up_;          // since when there is a line
-  bool awaits_first_fix_ = true;    // and has not told so
-  bool has_bytes_ = false;          // what has come so far
+  std::optional<Time> up_;          // when the line came up
+  bool awaits_first_fix_ = true;    // and has not reported it
+  bool has_bytes_ = false;          // whether anything has arrived so far
   bool has_sentence_ = false;
   bool has_place_ = false;   // GGA or RMC
-  bool has_no_fix_ = false;  // the receiver says so
+  bool has_no_fix_ = false;  // reported by the receiver
   std::vector<Notice> notices_;
 };
 

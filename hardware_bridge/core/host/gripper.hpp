@@ -9,17 +9,17 @@
 
 namespace caravan::bridge {
 
-/// A gripper on the robot's user I/O port: told by command 33, seen in the digital inputs.
+/// A gripper on the robot's user I/O port: commanded by command 33, observed by the digital inputs.
 class ArcosGripper {
  public:
-  /// @return the packet that makes it so, when that is not what it was told last
+  /// @return the command packet, if the command has changed
   [[nodiscard]] std::optional<arcos::Bytes> want(bool closed, Time now) {
     if (wanted_ == closed) return std::nullopt;
     wanted_ = closed;
     told_ = now;
     return packet();
   }
-  /// @return the packet again, when the gripper has not obeyed for a second: it may have been lost
+  /// @return the packet again if the gripper has not obeyed within a second: it may have been lost
   [[nodiscard]] std::optional<arcos::Bytes> see(const arcos::Sip& sip, Time now) {
     if (!sip.digital_in) return std::nullopt;
     const std::uint8_t in = *sip.digital_in;
@@ -30,9 +30,9 @@ class ArcosGripper {
     told_ = now;
     return packet();
   }
-  /// Something between the paddles breaks the beam and both press on it.
+  /// True when something between the paddles breaks the beam, and both paddles press on it.
   [[nodiscard]] bool is_holding() const { return holding_; }
-  /// Another connection: the robot may have forgotten.
+  /// A new connection: the robot may have lost the command.
   void restart() { wanted_.reset(); }
 
  private:
@@ -44,8 +44,8 @@ class ArcosGripper {
   bool holding_ = false;
 };
 
-/// For a robot without a gripper: an imagined one, that has an item when it closed near the source and none
-/// once it has opened. Somebody on the field may load and unload.
+/// A simulated gripper for a robot without one: it holds an item after it has closed near the source, until
+/// it opens. A person may load and unload the robot.
 class ImaginedGripper {
  public:
   ImaginedGripper(const Point& source_W, double service_radius_m)

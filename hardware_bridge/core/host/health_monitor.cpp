@@ -7,7 +7,7 @@
 namespace caravan::bridge {
 namespace {
 
-constexpr double kRecovered_v = 0.3;  // above the limit, so that a battery at the limit is told once
+constexpr double kRecovered_v = 0.3;  // hysteresis: a battery at the limit is reported once
 
 std::string in_volts(double volts) {
   const long tenths = std::lround(10.0 * volts);

@@ -8,7 +8,7 @@
 
 namespace caravan::bridge {
 
-/// Tells what a robot's SIPs say of its health, once for each change. The emergency stop is StopLatch's.
+/// Reports changes in the health of a robot, from its SIPs. StopLatch handles the emergency stop.
 class HealthMonitor {
  public:
   explicit HealthMonitor(double low_battery_v) : low_battery_v_{low_battery_v} {}
@@ -19,7 +19,7 @@ class HealthMonitor {
  private:
   double low_battery_v_;
   double battery_v_ = 0.0;
-  bool motors_on_ = true;  // it is told when they are not
+  bool motors_on_ = true;  // initially true, so that motors that are off are reported
   bool left_stalls_ = false;
   bool right_stalls_ = false;
   bool battery_low_ = false;

@@ -10,15 +10,15 @@
 
 namespace caravan::bridge {
 
-/// By how much a line is behind, as far as its SIPs show: the robot sends one each cycle, so what arrives
-/// more slowly waits in a queue somewhere on the way, and what the host knows is so much older.
+/// Estimates the lag of a line from the arrival of SIPs. The robot sends one SIP per cycle. If they arrive
+/// more slowly, they wait in a queue on the way, and the host's data is older by that time.
 ///
-/// A line that is too slow never delivers two SIPs within a cycle, one that loses some does: what it takes
-/// for a SIP is the shortest of the last few times between two. What is missing is forgotten by a twentieth
-/// of the time that passes, so seldom losses do not add up, and a line that is slower by more than that does.
+/// A line that is too slow never delivers two SIPs within one cycle; a line that loses packets does. The time
+/// per SIP is therefore the shortest of the last few gaps. The estimate decays by a twentieth of the elapsed
+/// time: occasional losses do not add up, but a line that is slower by more than that does.
 class LineLag {
  public:
-  /// A SIP has arrived. @param cycle  of the robot
+  /// Handles a SIP. @param cycle  period of the robot's SIPs
   void arrived(Time now, Time cycle) {
     if (last_) {
       const Time passed = now - *last_;
@@ -28,10 +28,10 @@ class LineLag {
     }
     last_ = now;
   }
-  /// A packet was destroyed on the way: it did arrive.
+  /// Handles a corrupted packet: it has arrived.
   void destroyed(Time cycle) { lag_ = std::max(Time{0}, lag_ - cycle); }
 
-  /// An answer has come. @param since  its question, or an older one
+  /// Handles an answer. @param since  time since its question, or an older one
   void answered(Time since) { lag_ = std::min(lag_, since); }
 
   [[nodiscard]] Time lag() const { return lag_; }
@@ -39,7 +39,7 @@ class LineLag {
  private:
   static constexpr Time kMost = std::chrono::seconds{20};
   std::optional<Time> last_;
-  std::array<Time, 4> gaps_{};  // between SIPs, the last ones
+  std::array<Time, 4> gaps_{};  // between the last SIPs
   std::size_t next_ = 0;
   Time lag_{0};
 };

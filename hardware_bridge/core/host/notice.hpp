@@ -10,15 +10,15 @@
 
 namespace caravan::bridge {
 
-/// Something that an operator wants to know; the shell logs it.
+/// A message for the operator; the shell logs it.
 struct Notice {
   enum class Weight : std::uint8_t { kInfo, kWarning };
   Weight weight = Weight::kInfo;
   std::string text;
-  std::string about = {};  ///< whose states it tells, such as "position"; empty: an event
+  std::string about = {};  ///< the thing whose state it reports, such as "position"; empty: an event
 };
 
-/// "0.4 s", for notices.
+/// A duration for notices, such as "0.4 s".
 [[nodiscard]] inline std::string in_seconds(Time time) {
   std::array<char, 32> text{};
   const bool tenths = time % std::chrono::milliseconds{100} == Time{0} || time >= std::chrono::seconds{1};

@@ -11,8 +11,8 @@ using namespace std::chrono_literals;
 
 constexpr unsigned kAtOnce = 3;
 constexpr Time kPeriod = 30s;
-constexpr Time kLasts = 5s;              // a state
-constexpr std::size_t kMostKinds = 256;  // the rest is one
+constexpr Time kLasts = 5s;              // time after which a state counts as lasting
+constexpr std::size_t kMostKinds = 256;  // further kinds share one entry
 
 std::string without_numbers(std::string text) {
   std::erase_if(text, [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-'; });
@@ -22,7 +22,7 @@ std::string without_numbers(std::string text) {
 }  // namespace
 
 std::optional<Notice> NoticeLimit::pass(Notice notice, Time now) {
-  // What a device calls itself may be anything.
+  // Names from a device may contain any bytes.
   std::replace_if(
       notice.text.begin(), notice.text.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
   std::string name = without_numbers(notice.about.empty() ? notice.text : notice.about);

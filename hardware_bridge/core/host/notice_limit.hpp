@@ -11,17 +11,17 @@
 
 namespace caravan::bridge {
 
-/// Limits how often notices of one kind are told, so that a fault that comes and goes does not fill a log.
+/// Limits how often notices of one kind are logged, so that an intermittent fault does not fill the log.
 ///
-/// Events that differ in their numbers only are of one kind, as are the states of one thing. The first three
-/// of a kind pass. Of those that follow, the last one is told every 30 s, with how many there were; of states
-/// also when it has lasted for 5 s, so that the last line of a log is the state that holds. A kind that was
-/// quiet for 30 s begins anew.
+/// Events that differ only in their numbers are of one kind, and so are the states of one thing. The first
+/// three of a kind pass. Of those that follow, the last one passes every 30 s, with their number. A state
+/// also passes when it has lasted for 5 s: the last line of a log is the current state. A kind that was quiet
+/// for 30 s starts anew.
 class NoticeLimit {
  public:
-  /// @return the notice, when it is to be told now
+  /// @return the notice if it is to be logged now
   [[nodiscard]] std::optional<Notice> pass(Notice notice, Time now);
-  /// Those that were held back and are due.
+  /// The held-back notices that are due.
   [[nodiscard]] std::vector<Notice> take_due(Time now);
 
  private:
@@ -29,10 +29,10 @@ class NoticeLimit {
     unsigned passed = 0;
     std::uint64_t held_back = 0;
     Notice last;
-    Time changed{0};  // when `last` came
-    Time due{0};      // what is held back is told, or the kind begins anew
+    Time changed{0};  // arrival of `last`
+    Time due{0};      // when held-back notices pass, or the kind starts anew
   };
-  std::map<std::string, Kind> kinds_;  // by the text without its numbers
+  std::map<std::string, Kind> kinds_;  // by the text without numbers
 };
 
 }  // namespace caravan::bridge

@@ -9,15 +9,14 @@
 
 namespace caravan::bridge {
 
-/// When a line that is gone is opened again: after half a second. Each time that the other end closes a
-/// connection within 5 s the wait doubles, to 4 s: two hosts that take a device from each other leave it
-/// alone.
+/// When a lost line is reopened: after half a second. If the other end repeatedly closes a connection within
+/// 5 s, the wait doubles each time, up to 4 s: two hosts that take a device from each other leave it alone.
 class Retry {
  public:
   [[nodiscard]] Time due() const { return due_; }
-  /// An attempt begins.
+  /// An attempt starts.
   void tries(Time now) { due_ = now + wait_; }
-  /// Bytes can flow.
+  /// The line is up.
   void up(Time now) {
     if (!up_) up_ = now;
   }
@@ -31,12 +30,12 @@ class Retry {
     wait_ = std::min(kLongest, kShortest * (1U << doublings));
     due_ = now + wait_;
   }
-  /// We end it ourselves, and open it again at once.
+  /// This end closes the line, and reopens it at once.
   void again() {
     up_.reset();
     due_ = Time{0};
   }
-  /// How often in a row it was closed by the other end soon after it came up.
+  /// How many times in a row the other end closed the line soon after it came up.
   [[nodiscard]] unsigned brief() const { return brief_; }
 
  private:
@@ -46,7 +45,7 @@ class Retry {
 
   Time due_{0};
   Time wait_ = kShortest;
-  std::optional<Time> up_;  // since when
+  std::optional<Time> up_;  // start of the connection
   unsigned brief_ = 0;
 };
 

@@ -21,10 +21,10 @@ constexpr unsigned kSyncAttempts = 3;
 constexpr Time kOpenPatience = 1s;
 constexpr Time kPulsePeriod = 500ms;
 constexpr Time kGiveUpAfter = 2s;
-constexpr Time kCheckPeriod = 500ms;  // CONFIG is asked
+constexpr Time kCheckPeriod = 500ms;  // of CONFIG requests while Checking
 constexpr unsigned kCheckAttempts = 6;
 constexpr unsigned kDisagreements = 3;
-constexpr Time kAskPeriod = 1s;  // the same, later
+constexpr Time kAskPeriod = 1s;  // of CONFIG requests while Running
 constexpr Time kAnswerPatience = 2500ms;
 constexpr Time kLostAfter = 800ms;
 constexpr Time kUsualCycle = 100ms;
@@ -34,7 +34,7 @@ constexpr std::array kSyncs{Order::kPulse, Order::kOpen, Order::kClose};
 
 int in_mm(double metres) { return static_cast<int>(std::lround(1000.0 * metres)); }
 
-/// Between two SIPs. Some firmware counts in units of 10 ms.
+/// Time between two SIPs. Some firmware counts in units of 10 ms.
 Time cycle_of(const arcos::Settings& settings) {
   const Time cycle = std::chrono::milliseconds{settings.sip_period_ms};
   return cycle >= 20ms ? cycle : kUsualCycle;
@@ -65,8 +65,8 @@ void RobotLink::down() {
 
 void RobotLink::synchronise(Time now, unsigned attempts) {
   state_ = Synchronising{0, attempts, now + kSyncPatience};
-  // A robot that its watchdog has stopped goes on with the next packet, whatever it is: SYNC0 is PULSE to a
-  // robot that is still open.
+  // A robot stopped by its watchdog resumes with the next packet of any kind, and SYNC0 is PULSE to a robot
+  // whose connection is open: stop it first.
   put(Order::kStop);
   put(kSyncs[0]);
 }
@@ -84,7 +84,7 @@ std::vector<arcos::Sip> RobotLink::receive(std::span<const std::uint8_t> bytes, 
     if (auto* syncing = std::get_if<Synchronising>(&state_)) {
       if (sip) {
         put(Order::kClose);
-        syncing->step = 0;  // the deadline stays: SYNC0 again when it is over
+        syncing->step = 0;  // the deadline stays: then SYNC0 is sent again
       } else {
         hear_sync(*syncing, data, now);
       }
@@ -136,8 +136,8 @@ void RobotLink::open(Time now) {
   put(arcos::encode(Order::kSetAcceleration, acceleration));
   put(arcos::encode(Order::kSetAcceleration, -acceleration));
   put(arcos::encode(Order::kSetMaxSpeed, in_mm(config_.speed_limit_mps)));
-  // The wheels' limits as those of turning on the spot: without them a robot keeps its slow ones as
-  // delivered.
+  // Sets the limits of turning in place from those of the wheels; otherwise the robot keeps its slow
+  // defaults.
   const double to_degrees = 2.0 / config_.track_m * 180.0 / std::numbers::pi;
   const int turn_acceleration = static_cast<int>(std::lround(to_degrees * config_.acceleration_mps2));
   put(arcos::encode(Order::kSetTurnAcceleration, turn_acceleration));
@@ -157,14 +157,15 @@ void RobotLink::hear_settings(const arcos::Settings& settings, Time now) {
     running->answers = true;
     running->unanswered.reset();
     if (running->asked.empty()) return;
-    running->lag.answered(now - running->asked.front());  // or that of a later question: then it is fresher
+    running->lag.answered(now -
+                          running->asked.front());  // or it answers a later question, and the lag is smaller
     running->asked.pop_front();
   }
 }
 
 void RobotLink::check(const arcos::Settings& settings, Time now) {
   const bool agree = same_kind(*names_, settings) && same_name(names_->name, settings.name);
-  // A robot that says the same again and again is not garbled.
+  // A robot that repeats the same answer is not garbled.
   const bool settled = ++disagreements_ >= kDisagreements && same_kind(*names_, settings);
   if (!agree) {
     note(Notice::Weight::kWarning, "the robot is " + names_->name + ", " + names_->type + " " +
@@ -236,7 +237,7 @@ void RobotLink::tick(Running& state, Time now) {
     put(Order::kPulse);
     state.pulse_due = now + kPulsePeriod;
   }
-  // Nothing is on its way for longer than the line is late: answers that have not come then were lost.
+  // No packet is in transit for longer than the lag: later answers are lost.
   while (!state.asked.empty() && now - state.asked.front() > state.lag.lag() + kLostAfter)
     state.asked.pop_front();
   const bool in_doubt = 2 * state.lag.lag() >= config_.silence && state.asked.empty();
@@ -291,7 +292,7 @@ void RobotLink::brake() {
 void RobotLink::stop() {
   if (!is_running()) return;
   put(Order::kStop);
-  put(arcos::encode(Order::kWheelSpeeds, 0));  // so that nothing asked for before goes on
+  put(arcos::encode(Order::kWheelSpeeds, 0));  // cancels earlier setpoints
 }
 
 void RobotLink::close() {

@@ -20,71 +20,71 @@
 namespace caravan::bridge {
 
 struct LinkConfig {
-  double acceleration_mps2 = 2.0;  ///< what the robot is told to take for starting and braking
+  double acceleration_mps2 = 2.0;  ///< set in the robot, for acceleration and deceleration
   double speed_limit_mps = robot_model::kWheelLimit_mps;
   double track_m = robot_model::kTrack_m;
-  Time silence = std::chrono::milliseconds{400};  ///< without a SIP for so long, the robot is silent
-  /// A robot whose own watchdog is slower is told of: nothing else stops it when its cable is cut.
+  Time silence = std::chrono::milliseconds{400};  ///< without a SIP for this long the robot counts as silent
+  /// Warns of a robot with a slower watchdog: nothing else stops it when its cable is cut.
   Time slowest_watchdog = std::chrono::milliseconds{600};
 };
 
-/// The host's end of an ARCOS connection, over a line that somebody else opens, reads and writes.
+/// The host's end of an ARCOS connection. The caller opens, reads and writes the line.
 ///
 ///   state          | bytes                                     | time
 ///   ---------------+-------------------------------------------+---------------------------------------------
 ///   Down           | -                                         | -
-///   Synchronising  | awaited SYNC echo: next; after the third  | 0.4 s: from SYNC0 again; the third time the
-///                  | OPEN and set-up: Opening                  | line is to be opened anew (next baud rate)
-///                  | SIP: an open connection, CLOSE and again  |
+///   Synchronising  | awaited SYNC echo: next; after the third  | 0.4 s: from SYNC0 again; the third time
+///                  | OPEN and set-up: Opening                  | reopen the line (next baud rate)
+///                  | SIP of an open connection: CLOSE, again   |
 ///   Opening        | SIP: Checking                             | 1 s: Synchronising
-///   Checking       | CONFIG agrees with SYNC2: Running         | CONFIG asked every 0.5 s; the sixth time
-///                  | it does not: CLOSE, Synchronising         | Running unchecked; silence 2 s: line anew
-///   Running        | SIP: told                                 | PULSE every 0.5 s, CONFIG asked every 1 s,
-///                  |                                           | at once when SIPs seem late; silence 2 s:
-///                  |                                           | line anew
+///   Checking       | CONFIG agrees with SYNC2: Running         | CONFIG requested every 0.5 s; the sixth
+///                  | CONFIG differs: CLOSE, Synchronising      | time Running unchecked; silence 2 s: reopen
+///   Running        | SIP: returned                             | PULSE every 0.5 s, CONFIG requested every
+///                  |                                           | 1 s, at once when SIPs seem late;
+///                  |                                           | silence 2 s: reopen
 ///
-/// "-" is ignored on purpose. Each wait ends. A robot whose answers to CONFIG end does not receive what it is
-/// told; one whose SIPs come more slowly than it sends them is behind.
+/// "-": ignored by design. Each wait has a deadline. A robot that stops answering CONFIG does not receive; a
+/// robot whose SIPs arrive more slowly than it sends them is behind (LineLag).
 class RobotLink {
  public:
   explicit RobotLink(const LinkConfig& config) : config_{config} {}
 
-  /// The line is there. Handshake begins.
+  /// The line is up; starts the handshake.
   void up(Time now);
-  /// The line is gone.
+  /// The line is down.
   void down();
-  /// @return the SIPs among the bytes, once the connection is open
+  /// @return the SIPs in the bytes, once the connection is open
   [[nodiscard]] std::vector<arcos::Sip> receive(std::span<const std::uint8_t> bytes, Time now);
   void tick(Time now);
-  /// When tick() has something to do; none while the line is down.
+  /// Next deadline of tick(); none while the line is down.
   [[nodiscard]] std::optional<Time> next_deadline() const;
 
-  /// To be written to the robot, while Running; ignored otherwise.
+  /// Queues a packet for the robot if Running; ignored otherwise.
   void send(std::span<const std::uint8_t> packet);
-  /// Wheels at zero, the connection stays. Something is wrong: they brake as hard as they can.
+  /// Stops the wheels with the emergency stop: maximum deceleration. The connection stays open.
   void brake();
-  /// Wheels at zero, by their deceleration.
+  /// Stops the wheels with the set deceleration.
   void stop();
-  /// Wheels at zero and the connection closed: the program ends.
+  /// Stops the wheels and closes the connection, at the end of the program.
   void close();
   void enable_motors() { send(arcos::encode(arcos::Order::kEnable, 1)); }
 
-  /// Whether motors are switched on when a connection is opened.
+  /// Whether to leave the motors off when a connection is opened.
   void keep_motors_off(bool off) { motors_off_ = off; }
 
   [[nodiscard]] bool is_running() const { return std::holds_alternative<Running>(state_); }
-  /// Running, and heard of within the silence.
+  /// True while Running and within LinkConfig::silence after the last SIP.
   [[nodiscard]] bool is_heard(Time now) const;
-  /// Why a robot that is heard is not to be driven; empty: it may be.
+  /// Why a robot that is heard must not be driven; empty: it may be.
   [[nodiscard]] std::string unsafe(Time now) const;
-  /// When silence begins if nothing is heard until then. @pre is_running()
+  /// When the robot counts as silent if no further SIP arrives. @pre is_running()
   [[nodiscard]] Time silent_at() const { return std::get<Running>(state_).heard + config_.silence; }
-  /// Of the robot at the other end; set from the first time it was reached.
+  /// Names of the robot, known from the first connection on.
   [[nodiscard]] const std::optional<arcos::Names>& names() const { return names_; }
 
-  /// What is to be written, once.
+  /// The bytes to write; empties the queue.
   [[nodiscard]] arcos::Bytes take_output();
-  /// Is the line to be closed and opened again, with the next baud rate where it has one? Once.
+  /// Whether to close and reopen the line, at the next baud rate if it is serial; resets the request.
   [[nodiscard]] bool take_reopen();
   [[nodiscard]] std::vector<Notice> take_notices();
 
@@ -107,9 +107,9 @@ class RobotLink {
     Time heard{0};
     Time pulse_due{0};
     Time ask_due{0};
-    bool answers = false;              ///< it has answered CONFIG
-    std::optional<Time> unanswered{};  ///< since when CONFIG is
-    std::deque<Time> asked{};          ///< when CONFIG was, of answers that may still come
+    bool answers = false;              ///< has answered CONFIG
+    std::optional<Time> unanswered{};  ///< since when a CONFIG request is unanswered
+    std::deque<Time> asked{};          ///< times of CONFIG requests whose answers may still arrive
     LineLag lag{};
     bool behind = false;
   };
@@ -132,9 +132,9 @@ class RobotLink {
   std::variant<Down, Synchronising, Opening, Checking, Running> state_;
   arcos::PacketFinder packets_;
   std::uint64_t garbage_told_ = 0;
-  std::uint64_t destroyed_ = 0;  // packets, so far
+  std::uint64_t destroyed_ = 0;  // corrupted packets so far
   std::optional<arcos::Names> names_;
-  unsigned disagreements_ = 0;  // of SYNC2 and CONFIG, one after the other
+  unsigned disagreements_ = 0;  // of SYNC2 and CONFIG, in a row
   Time cycle_ = std::chrono::milliseconds{100};
   bool motors_off_ = false;
   arcos::Bytes output_;

@@ -9,9 +9,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::uint16_t kNothing_mm = 10;  // nearer than any transducer can measure
+constexpr std::uint16_t kNothing_mm = 10;  // below the range of any transducer
 constexpr Time kStuckAfter = 2s;
-constexpr Time kRound = 500ms;  // of all transducers: those that fail together are told together
+constexpr Time kRound = 500ms;  // of all transducers: those that fail together are reported together
 constexpr Time kSilentAfter = 3s;
 
 }  // namespace
@@ -56,7 +56,7 @@ std::vector<Notice> SonarWatch::watch(std::span<const arcos::Sip::Sonar> reading
     notices.push_back({Notice::Weight::kInfo, "the sonars give readings again", "sonars"});
   }
   told_silent_ = silent;
-  // Whoever has just begun to read 0 is waited for, so that all are named in one line.
+  // Waits for transducers that have just begun to read 0, so that one line names all of them.
   const bool some_begin = std::any_of(zero_since_.begin(), zero_since_.end(), [&](const auto& since) {
     return since && now - *since < kStuckAfter && now - *since >= kStuckAfter - kRound;
   });

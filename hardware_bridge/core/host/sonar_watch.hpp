@@ -13,12 +13,12 @@
 
 namespace caravan::bridge {
 
-/// Tells of sonars that cannot be right: transducers that read 0 for 2 s, and a robot whose sonars give no
-/// readings for 3 s. A robot that believes them stands for no reason that anybody can see.
+/// Reports implausible sonars: transducers that read 0 for 2 s, and a robot without sonar readings for 3 s.
+/// Otherwise an agent that relies on them would stand without a visible reason.
 class SonarWatch {
  public:
   [[nodiscard]] std::vector<Notice> watch(std::span<const arcos::Sip::Sonar> readings, Time now);
-  /// Another connection.
+  /// A new connection.
   void restart() { *this = {}; }
 
  private:
@@ -26,8 +26,8 @@ class SonarWatch {
   [[nodiscard]] Set stuck(Time now) const;
   [[nodiscard]] Notice told_of(const Set& stuck) const;
 
-  Set known_;                                                // transducers that were heard of
-  std::array<std::optional<Time>, kSonarCount> zero_since_;  // none: the last reading was another
+  Set known_;                                                // transducers that have ever given a reading
+  std::array<std::optional<Time>, kSonarCount> zero_since_;  // none: the last reading was not 0
   Set told_;
   std::optional<Time> last_reading_;
   bool told_silent_ = false;

@@ -5,20 +5,20 @@
 
 namespace caravan::bridge {
 
-/// The emergency stop, until an operator has restarted the robot at its MOTORS button.
+/// Latches the emergency stop until an operator has restarted the robot with its MOTORS button.
 ///
-///   state | button pressed  | out, motors off | out, motors on
-///   ------+-----------------+-----------------+---------------------------------------------
-///   Free  | Held            | -               | -
-///   Held  | -               | Released        | -: they are switched off first
-///   Released | Held         | -               | Free: somebody has pressed MOTORS
+///   state    | button pressed | released, motors off | released, motors on
+///   ---------+----------------+----------------------+------------------------------
+///   Free     | Held           | -                    | -
+///   Held     | -              | Released             | -; motors are disabled first
+///   Released | Held           | -                    | Free: MOTORS was pressed
 ///
-/// "-" stays. The host never switches motors on in Held and Released, whatever happens to its connection.
+/// "-": no change. The host never enables the motors in Held and Released, even after a new connection.
 class StopLatch {
  public:
   enum class Change : std::uint8_t { kNone, kPressed, kReleased, kRestarted };
 
-  /// @param pressed, motors_on  what the robot says
+  /// @param pressed, motors_on  as reported by the robot
   Change see(bool pressed, bool motors_on) {
     if (pressed) {
       if (state_ == State::kHeld) return Change::kNone;
@@ -35,9 +35,9 @@ class StopLatch {
     }
     return Change::kNone;
   }
-  /// Wheels stand and motors stay off.
+  /// True while the wheels must stand and the motors stay off.
   [[nodiscard]] bool is_on() const { return state_ != State::kFree; }
-  /// The motors are to be switched off, so that somebody can switch them on.
+  /// True while the motors must be disabled, so that an operator can enable them.
   [[nodiscard]] bool wants_motors_off() const { return state_ == State::kHeld; }
 
  private:

@@ -10,26 +10,26 @@ namespace caravan::bridge::modem {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// One frame as it goes between a program and its modem, or from modem to modem by UDP.
+/// A frame in transit between a program and its modem, or from modem to modem by UDP.
 struct AirPacket {
-  std::uint32_t from = 0;  ///< which modem; for telling one's own echo, never shown to an agent
+  std::uint32_t from = 0;  ///< sending modem; identifies own echoes, not visible to agents
   std::uint32_t channel = 0;
   Bytes payload;
   bool operator==(const AirPacket&) const = default;
 };
 
-/// 'C' 'V', version 1, the sender and the channel (both 4 bytes, little-endian), the payload, CRC-16 (CCITT,
-/// 0xffff, big-endian).
+/// Layout: 'C' 'V', version 1, the sender and the channel (4 bytes each, little-endian), the payload, CRC-16
+/// (CCITT, initial value 0xffff, big-endian).
 [[nodiscard]] Bytes encode(const AirPacket& packet);
-/// Empty when it is no such packet or a bit of it is wrong.
+/// None when it is not such a packet, or its CRC is wrong.
 [[nodiscard]] std::optional<AirPacket> decode(std::span<const std::uint8_t> bytes);
 
-/// SLIP (RFC 1055): packets on a stream. Each begins and ends with an END byte, so noise before it harms
-/// nothing.
+/// SLIP (RFC 1055): packets on a stream. Each starts and ends with an END byte, so noise before a packet does
+/// not damage it.
 [[nodiscard]] Bytes to_slip(std::span<const std::uint8_t> packet);
 class SlipReader {
  public:
-  /// @return what lies between ENDs; never empty, never longer than 65535 bytes
+  /// @return the packets between END bytes; 1 to 65535 bytes each
   [[nodiscard]] std::vector<Bytes> feed(std::span<const std::uint8_t> bytes);
 
  private:

@@ -39,7 +39,7 @@ void HalfDuplex::listen(Time now) {
 }
 
 Time HalfDuplex::airtime(const Frame& frame) const {
-  constexpr double kOverheadBytes = 9.0;  // preamble, address, length, check: as an nRF24 has them
+  constexpr double kOverheadBytes = 9.0;  // preamble, address, length and CRC of an nRF24
   return to_time(8.0 * (kOverheadBytes + static_cast<double>(frame.bytes.size())) / limits_.bit_rate_bps);
 }
 
@@ -47,7 +47,7 @@ std::optional<HalfDuplex::Frame> HalfDuplex::next(Time now) {
   if (queue_.empty() || now < busy_until_) return std::nullopt;
   Frame frame = std::move(queue_.front());
   queue_.pop_front();
-  const Time begins = std::max(busy_until_, now - std::chrono::milliseconds{1});  // asked a little late
+  const Time begins = std::max(busy_until_, now - std::chrono::milliseconds{1});  // tolerance for a late call
   busy_until_ = std::max(begins, Time{0}) + airtime(frame);
   if (queue_.empty()) {
     change_to(tuned_, busy_until_);

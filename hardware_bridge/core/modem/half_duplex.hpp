@@ -10,20 +10,20 @@
 
 namespace caravan::bridge::modem {
 
-/// What a radio can do (docs/bring_your_robot.md has examples).
+/// Limits of a radio; docs/bring_your_robot.md has examples.
 struct RadioLimits {
   std::uint32_t mtu_bytes = 32;
   std::uint32_t channel_count = 126;
   double bit_rate_bps = 250000.0;
-  Time channel_change = std::chrono::microseconds{130};  ///< deaf and mute meanwhile
-  std::size_t queue_length = 64;                         ///< frames that wait to be sent
+  Time channel_change = std::chrono::microseconds{130};  ///< the radio neither sends nor receives meanwhile
+  std::size_t queue_length = 64;                         ///< frames waiting to be sent
 };
 
-/// Takes turns between sending and listening on one radio, which is on one channel at a time.
+/// Alternates between sending and receiving on one radio, which is on one channel at a time.
 ///
-/// Frames go out in their order, each for as long as its bits take; the radio changes to a frame's channel
-/// for it, and back to the tuned one when nothing is left to send. While it sends or changes it hears
-/// nothing.
+/// Frames are sent in order; each occupies the radio for its airtime. The radio changes to the channel of
+/// each frame, and back to the tuned channel when no frame is left. It receives nothing while it sends or
+/// changes channel.
 class HalfDuplex {
  public:
   struct Frame {
@@ -32,17 +32,17 @@ class HalfDuplex {
   };
   explicit HalfDuplex(const RadioLimits& limits) : limits_{limits} {}
 
-  /// Listens there from now on, when it has nothing to send. A channel that there is not is ignored and
+  /// Tunes the radio to a channel, for the time when it does not send. An invalid channel is ignored and
   /// counted.
   void tune(std::uint32_t channel, Time now);
-  /// Frames over the MTU, on a channel that there is not, or for which the queue has no room are dropped and
+  /// Queues a frame. Frames over the MTU, on an invalid channel, or without room in the queue are dropped and
   /// counted.
   void send(Frame frame, Time now);
-  /// The next frame that goes on air at or before `now`; to be called until it gives none.
+  /// The next frame that is on the air at `now` or before; call until there is none.
   [[nodiscard]] std::optional<Frame> next(Time now);
-  /// When next() may give one; none: nothing waits.
+  /// Time of the next frame from next(); none: the queue is empty.
   [[nodiscard]] std::optional<Time> next_deadline() const;
-  /// Does it hear a frame of this channel that ends now?
+  /// Whether the radio receives a frame on this channel that ends now.
   [[nodiscard]] bool hears(std::uint32_t channel, Time now) const;
 
   [[nodiscard]] std::uint64_t over_mtu() const { return over_mtu_; }
@@ -56,8 +56,8 @@ class HalfDuplex {
 
   RadioLimits limits_;
   std::uint32_t tuned_ = 0;
-  std::uint32_t channel_ = 0;  // the radio is on it, or changes to it
-  Time busy_until_{0};         // sends, or changes
+  std::uint32_t channel_ = 0;  // current channel, or the one it changes to
+  Time busy_until_{0};         // while sending or changing channel
   std::deque<Frame> queue_;
   std::uint64_t over_mtu_ = 0;
   std::uint64_t bad_channel_ = 0;

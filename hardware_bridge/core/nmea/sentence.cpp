@@ -19,7 +19,7 @@ unsigned checksum(std::string_view text) {
   return sum;
 }
 
-/// What stands between "$" and "*hh", when the checksum is right.
+/// The text between "$" and "*hh", if the checksum is right.
 std::optional<std::string> checked(std::string_view line) {
   const std::size_t star = line.rfind('*');
   if (star == std::string_view::npos || star < 1 || line.size() != star + 3) return std::nullopt;
@@ -41,7 +41,7 @@ std::vector<std::string_view> fields_of(std::string_view sentence) {
   }
 }
 
-/// A plain decimal number, nothing else in the field.
+/// A decimal number that fills the field.
 std::optional<double> number(std::string_view field) {
   double value = 0.0;
   const auto [end, error] =
@@ -52,7 +52,7 @@ std::optional<double> number(std::string_view field) {
   return value;
 }
 
-/// A number without fraction, from 0 to `most`.
+/// An integer from 0 to `most` that fills the field.
 std::optional<unsigned> count(std::string_view field, unsigned most) {
   unsigned value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
@@ -62,7 +62,7 @@ std::optional<unsigned> count(std::string_view field, unsigned most) {
   return value;
 }
 
-/// An empty field leaves the value; one that is not a number in the range makes the sentence senseless.
+/// An empty field leaves the value unchanged. False: the field is not a number in the range.
 template <typename Value>
 bool read_optional(std::string_view field, Value& value, double least, double most) {
   if (field.empty()) return true;
@@ -83,7 +83,7 @@ std::optional<double> time_of_day(std::string_view field) {
   return 3600.0 * hours + 60.0 * minutes + rest_s;
 }
 
-/// (d)ddmm.mmmm and its hemisphere.
+/// (d)ddmm.mmmm with its hemisphere.
 std::optional<double> angle(std::string_view field, std::string_view side, char positive, char negative,
                             double most_deg) {
   const auto value = number(field);

@@ -11,7 +11,7 @@
 
 namespace caravan::bridge::nmea {
 
-/// Longest sentence taken; the standard says 82, receivers with more decimals exceed it.
+/// Longest accepted sentence. The standard says 82; receivers with more decimals exceed it.
 inline constexpr std::size_t kLongest = 160;
 
 /// GGA: fix data.
@@ -19,7 +19,7 @@ struct Gga {
   double time_of_day_s = 0.0;  ///< UTC
   double latitude_deg = 0.0;   ///< north positive
   double longitude_deg = 0.0;  ///< east positive
-  unsigned quality = 0;        ///< 0: no fix; 6 to 8: estimated, typed in, simulated
+  unsigned quality = 0;        ///< 0: no fix; 6: estimated, 7: manual, 8: simulated
   unsigned satellites = 0;
   std::optional<double> hdop;
 };
@@ -34,16 +34,16 @@ struct Rmc {
   std::optional<double> course_deg;  ///< clockwise from north
 };
 
-/// A whole sentence of another kind; receivers send many.
+/// A valid sentence of another kind.
 struct Other {};
 
-/// Finds sentences in a stream of bytes: from "$" to the end of the line, with a right checksum.
+/// Finds sentences in a stream of bytes: from "$" to the end of the line, with the right checksum.
 class SentenceFinder {
  public:
-  /// @return each sentence that these bytes complete, without "$", checksum and line end
+  /// @return each sentence completed by these bytes, without "$", checksum and line end
   [[nodiscard]] std::vector<std::string> feed(std::span<const std::uint8_t> bytes);
   void restart() { line_.clear(); }
-  /// Lines that were no sentence, or had a wrong checksum.
+  /// Number of lines that were not a sentence, or had a wrong checksum.
   [[nodiscard]] std::uint64_t refused() const { return refused_; }
 
  private:
@@ -52,11 +52,11 @@ class SentenceFinder {
 };
 
 /// @param sentence  as from SentenceFinder
-/// @return empty when it says GGA or RMC and is not whole, or a field is out of its range. A GGA without
-/// position has quality 0.
+/// @return none for an incomplete GGA or RMC, or one with a field out of range. A GGA without position has
+/// quality 0.
 [[nodiscard]] std::optional<std::variant<Gga, Rmc, Other>> parse(std::string_view sentence);
 
-/// With "$GP", checksum and line end.
+/// The sentence with "$GP", checksum and line end.
 [[nodiscard]] std::string to_line(const Gga& gga);
 [[nodiscard]] std::string to_line(const Rmc& rmc);
 

@@ -5,17 +5,17 @@
 
 namespace caravan::bridge {
 
-/// Where on earth the arena lies.
+/// The arena's place on earth.
 struct ArenaPlace {
-  double latitude_deg = 0.0;  ///< of W's origin, WGS 84
+  double latitude_deg = 0.0;  ///< latitude of W's origin, WGS 84
   double longitude_deg = 0.0;
-  double x_axis_rad = 0.0;  ///< W's x axis, counter-clockwise from east
+  double x_axis_rad = 0.0;  ///< direction of W's x axis, counter-clockwise from east
 };
 
-/// Between latitude and longitude and frame W: the plane that touches the ellipsoid at W's origin.
+/// Converts between latitude and longitude and frame W, by the tangent plane of the ellipsoid at W's origin.
 ///
-/// Good to a millimetre within 200 m of it at the latitudes people live in (ArenaProjection tests); poles
-/// excluded.
+/// Accurate to a millimetre within 200 m of the origin at inhabited latitudes (ArenaProjection tests); not
+/// for the poles.
 class ArenaProjection {
  public:
   /// @pre the latitude is within +-89 degrees
@@ -28,9 +28,9 @@ class ArenaProjection {
   };
   [[nodiscard]] Geodetic to_earth(const Point& p_W) const;
 
-  /// A direction clockwise from north as a yaw in W, in (-pi, pi].
+  /// The yaw in W of a bearing clockwise from north, in (-pi, pi].
   [[nodiscard]] double yaw_of_bearing(double bearing_rad) const;
-  /// In [0, 2 pi).
+  /// The bearing clockwise from north of a yaw in W, in [0, 2 pi).
   [[nodiscard]] double bearing_of_yaw(double yaw_W_rad) const;
 
  private:

@@ -9,7 +9,7 @@ namespace caravan::bridge {
 namespace {
 
 constexpr double kMostHdop = 5.0;
-constexpr unsigned kFewestSatellites = 4;  // three leave the height open
+constexpr unsigned kFewestSatellites = 4;  // with three the height is undetermined
 
 }  // namespace
 

@@ -9,20 +9,21 @@
 
 namespace caravan::bridge {
 
-/// What is wrong with what the receiver says of its fix; empty: nothing. A fix that was estimated, typed in
-/// or simulated is none, nor is one with too few satellites or too bad a geometry.
+/// Why a fix is refused by what the receiver reports of it; empty: it is not. Refused are estimated, manual
+/// and simulated positions, too few satellites, and too high a dilution of precision.
 [[nodiscard]] std::string complaint(const nmea::Gga& gga);
 
-/// Refuses positions that cannot be true.
+/// Refuses implausible positions.
 ///
-/// A fix is believed when it lies within `jump_m` of where odometry has carried the robot from the fixes
-/// before. One that does not puts the position in doubt. Doubt ends when so many fixes in a row agree with
-/// one another, there or at the old place; so does that of the beginning.
+/// A fix is accepted within `jump_m` of the place predicted by odometry from the previous fixes. Another fix
+/// puts the position in doubt, as it is at the start. Doubt ends when kAgreeing fixes in a row agree with one
+/// another, at the new place or at the predicted one.
 ///
-///   state    | fix near the expected place | fix elsewhere
-///   ---------+-----------------------------+------------------------------------------------
-///   trusting | taken                       | doubting, the first of a row; refused
-///   doubting | next of its row, or the first of another; with the fifth: trusting, taken anew
+///   state    | fix near the predicted place            | fix elsewhere
+///   ---------+-----------------------------------------+-----------------------------------------
+///   trusting | taken                                   | doubting, first of a row; refused
+///   doubting | next of its row, or first of a new row; | likewise; the fifth of a row: trusting,
+///            | the fifth of a row: trusting, taken     | taken anew
 class FixGate {
  public:
   static constexpr unsigned kAgreeing = 5;
@@ -31,16 +32,16 @@ class FixGate {
 
   enum class Verdict : std::uint8_t {
     kTaken,
-    kTakenAnew,  ///< the position begins anew there
-    kOutlier,    ///< the first one that does not agree
-    kDoubted     ///< not yet enough that agree
+    kTakenAnew,  ///< the position starts anew there
+    kOutlier,    ///< the first fix that does not agree
+    kDoubted     ///< in doubt: too few fixes agree
   };
-  /// @param fix_W       where the antenna is by this fix
-  /// @param expected_W  where it should be by the fixes before and odometry; before the first, any point that
-  ///                    odometry carries
+  /// @param fix_W       position of the antenna by this fix
+  /// @param expected_W  position predicted by odometry from the previous fixes; before the first fix,
+  ///                    any point moved by odometry
   [[nodiscard]] Verdict judge(const Point& fix_W, const Point& expected_W);
 
-  /// A fix was no fix at all: the next ones must agree first.
+  /// Puts the position in doubt: the fix was refused for another reason.
   void doubt() {
     trusting_ = false;
     row_.reset();
@@ -48,7 +49,7 @@ class FixGate {
 
  private:
   struct Row {
-    Point error_W;  // of its first fix from the expected place: odometry moves both
+    Point error_W;  // of the row's first fix from the expected place; odometry moves both
     unsigned length = 0;
   };
   double jump_m_;

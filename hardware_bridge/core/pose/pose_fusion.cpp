@@ -5,7 +5,7 @@ namespace caravan::bridge {
 namespace {
 
 constexpr double kWayForYaw_m = 0.5;
-constexpr double kYawTrust = 0.5;  // of a direction between fixes
+constexpr double kYawTrust = 0.5;  // in a direction between two fixes
 
 Point operator-(const Point& a, const Point& b) { return {a.x_m - b.x_m, a.y_m - b.y_m}; }
 double length(const Point& p) { return std::hypot(p.x_m, p.y_m); }
@@ -63,7 +63,7 @@ void PoseFusion::learn_yaw_from_way(const Point& base_W) {
   const Point reckoned = reckoned_W_ - anchor_->reckoned_W;
   const Point fixed = base_W - anchor_->fix_W;
   if (length(reckoned) < kWayForYaw_m) return;
-  // A way that the two do not agree on in length is no way: wheels that slip, a fix that jumps.
+  // Lengths that disagree make the direction unusable: the wheels slipped, or the fix jumped.
   if (std::abs(length(fixed) - length(reckoned)) < 0.5 * length(reckoned)) {
     const double error = wrapped(direction(fixed) - direction(reckoned));
     pose_.yaw_WB_rad = wrapped(pose_.yaw_WB_rad + kYawTrust * error);

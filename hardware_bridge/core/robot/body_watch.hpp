@@ -7,19 +7,19 @@
 
 namespace caravan::bridge {
 
-/// Do frames come from the body behind an emulated robot? Tells it after a second, then once a minute.
+/// Detects missing frames from the body of an emulated robot. Reports after a second, then once a minute.
 class BodyWatch {
  public:
   enum class News : std::uint8_t {
-    kNoBody,  ///< none has ever come
-    kSilent   ///< they have ceased
+    kNoBody,  ///< no frame has ever arrived
+    kSilent   ///< frames no longer arrive
   };
 
   void heard(Time now) {
     heard_ = true;
     due_ = now + kPatience;
   }
-  /// What an operator should be told now.
+  /// What to report now; none: nothing.
   [[nodiscard]] std::optional<News> look(Time now) {
     if (now < due_) return std::nullopt;
     due_ = now + kAgain;

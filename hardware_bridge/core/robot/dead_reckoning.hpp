@@ -9,10 +9,10 @@
 
 namespace caravan::bridge {
 
-/// A heading as a SIP has it: 0 to 4095.
+/// A heading in the counts of a SIP, 0 to 4095.
 [[nodiscard]] std::int16_t heading_counts(double yaw_rad);
 
-/// The robot's own idea of where it is, from how far its wheels have turned: wrong where they slip.
+/// Dead reckoning of the emulated robot, from the rotation of its wheels. It is wrong where they slip.
 class DeadReckoning {
  public:
   DeadReckoning(const arcos::Factors& factors, double track_m, double wheel_radius_m)
@@ -21,10 +21,10 @@ class DeadReckoning {
   void turn(double left_wheel_rad, double right_wheel_rad, Time now);
   void set_origin() { x_m_ = y_m_ = yaw_rad_ = 0.0; }
 
-  /// Position, heading and wheel speeds as a SIP has them.
+  /// Writes position, heading and wheel speeds in the units of a SIP.
   void write(arcos::Sip& sip) const;
   [[nodiscard]] double yaw_rad() const { return yaw_rad_; }
-  /// Since the robot was switched on; backward counts negative.
+  /// Distance since the robot was switched on; backwards negative.
   [[nodiscard]] double travelled_m() const { return 0.5 * (left_m_ + right_m_); }
   [[nodiscard]] double left_m() const { return left_m_; }
   [[nodiscard]] double right_m() const { return right_m_; }

@@ -9,18 +9,18 @@
 
 namespace caravan::bridge {
 
-/// Where in W an antenna is that is mounted on a robot.
+/// Position in W of an antenna on a robot.
 [[nodiscard]] Point antenna_place(const Pose& robot, const Point& antenna_B);
 
-/// An emulated GPS receiver on the robot: GGA and RMC once a period.
+/// An emulated GPS receiver on the robot: sends GGA and RMC once a period.
 class GpsReceiver {
  public:
   explicit GpsReceiver(const ArenaPlace& arena, Time period = std::chrono::milliseconds{100})
       : projection_{arena}, period_{period} {}
 
-  /// Where the antenna is; not finite: no fix. @param measured  by any clock: its speed is reckoned with it
+  /// Sets the position of the antenna; not finite: no fix. @param measured  by any clock; used for the speed
   void sense(const Point& antenna_W, Time measured);
-  /// The sentences that are due, with line ends; empty when none are.
+  /// The sentences that are due, with line ends; empty if none are.
   [[nodiscard]] std::string take_lines(Time now);
   [[nodiscard]] Time next_deadline() const { return due_; }
 
@@ -33,7 +33,7 @@ class GpsReceiver {
     Time at{0};
   };
   std::optional<Sensed> sensed_;
-  std::optional<Sensed> told_;  // with the last sentences
+  std::optional<Sensed> told_;  // as in the last sentences
 };
 
 }  // namespace caravan::bridge

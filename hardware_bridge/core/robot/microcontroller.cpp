@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the microcontroller does with a host's commands. What it sends: microcontroller_sip.cpp.
+// How the microcontroller handles a host's commands. What it sends: microcontroller_sip.cpp.
 #include "hardware_bridge/core/robot/microcontroller.hpp"
 
 #include <utility>
@@ -96,13 +96,14 @@ void Microcontroller::obey(const arcos::Command& command, Time now) {
 }
 
 void Microcontroller::shake_hands(const arcos::Command& command, Time now) {
-  // OPEN without an argument is the same packet as SYNC1: it is OPEN once all three have been answered.
+  // OPEN without an argument is the same packet as SYNC1. It means OPEN once all three syncs have been
+  // answered.
   if (command.number == static_cast<std::uint8_t>(Order::kOpen) && synchronised_) {
     open_ = sonar_on_ = true;
     sip_due_ = sonar_due_ = now;
     return;
   }
-  // A sync has no argument. CLOSE with one is no SYNC2: a host that wants to begin anew sends it.
+  // A sync has no argument. CLOSE with an argument is not SYNC2: a host sends it to start anew.
   const bool is_sync =
       command.number <= kThirdSync && std::holds_alternative<std::monostate>(command.argument);
   if (is_sync) return answer_sync(command.number);
@@ -154,7 +155,7 @@ bool Microcontroller::move(Order order, int value) {
     default:
       return false;
   }
-  if (!motors_on_) motion_.halt();  // so that nothing waits for ENABLE
+  if (!motors_on_) motion_.halt();  // a motion command must not wait for ENABLE
   return true;
 }
 

@@ -21,88 +21,88 @@
 
 namespace caravan::bridge {
 
-/// An emulated Pioneer as it comes out of its box.
+/// An emulated Pioneer with its default settings.
 struct RobotConfig {
   std::string name = "caravan";
   std::string subtype = "p3dx";
   ArenaPlace arena;
-  double compass_offset_rad = 0.0;  ///< how far the compass reads too little
-  Point antenna_B;                  ///< of its GPS receiver
+  double compass_offset_rad = 0.0;  ///< the compass reads too low by this
+  Point antenna_B;                  ///< position of its GPS antenna
   double track_m = robot_model::kTrack_m;
   double wheel_radius_m = robot_model::kWheelRadius_m;
   double battery_v = 12.6;
-  std::uint8_t front_bumpers = 0;  ///< segments; up to arcos::kMostBumpers
+  std::uint8_t front_bumpers = 0;  ///< number of segments, at most arcos::kMostBumpers
   std::uint8_t rear_bumpers = 0;
   Time sip_period = std::chrono::milliseconds{100};
   Time sonar_period = std::chrono::milliseconds{40};  ///< between two transducers of an array
-  Time watchdog = std::chrono::milliseconds{2000};    ///< without a packet for so long, wheels at zero
+  Time watchdog = std::chrono::milliseconds{2000};    ///< after this time without a packet the wheels stop
 };
 
-/// What the robot's devices measure now.
+/// Current measurements of the robot's devices.
 struct BodySenses {
   std::array<double, kSonarCount> sonar_range_m{};  ///< +inf: no echo
   double yaw_WB_rad = 0.0;                          ///< for the compass
   double left_wheel_rad = 0.0;
   double right_wheel_rad = 0.0;
   bool holding = false;
-  /// When, by the body's clock: on their way they may be delayed, and then come all at once. None: now.
+  /// Time of measurement by the body's clock: frames may be delayed and arrive together. None: now.
   std::optional<Time> measured = {};
 };
 
-/// What its motors and its gripper do.
+/// Commands to its motors and its gripper.
 struct BodyDrive {
   double left_mps = 0.0;
   double right_mps = 0.0;
   bool gripper_closed = false;
 };
 
-/// The robot's end of an ARCOS connection: what the microcontroller of a Pioneer 3-DX does with the bytes of
-/// a host. docs/arcos.md tells it command by command.
+/// The robot's end of an ARCOS connection: emulates the microcontroller of a Pioneer 3-DX. docs/arcos.md
+/// describes each command.
 ///
-/// Sync packets are echoed until OPEN; then a SIP goes out every period, with the sonars that have fired
-/// since the one before, one of each array at a time. Motors are off until they are enabled; motion commands
-/// that come meanwhile do not count. Without a packet for the watchdog's time the wheels stop; the next
-/// motion command moves them again. A host that is lost is noticed by the watchdog alone, as on a serial
-/// line, unless the line itself says so (disconnected()). What a host has set is forgotten when its
-/// connection ends.
+/// Sync packets are echoed until OPEN. Then a SIP is sent every period, with the sonars that have fired since
+/// the previous one; in each array one sonar fires at a time. Motors are off until they are enabled; motion
+/// commands that arrive before are ignored. Without a packet for RobotConfig::watchdog the wheels stop; with
+/// the next packet of any kind the robot resumes its last command. As on a serial line only the watchdog
+/// detects a lost host, unless the line itself reports it (disconnected()). The settings of a host are
+/// discarded when its connection ends.
 class Microcontroller {
  public:
-  /// For so long whoever has the line may send nothing that is a packet, while the connection is not open.
+  /// How long a client may send no valid packet while the connection is not open.
   static constexpr Time kHostPatience = std::chrono::seconds{5};
 
   explicit Microcontroller(const RobotConfig& config);
 
-  /// A host's line is there, or gone: the connection is not open, the motors are off.
+  /// A host's line is up or down. The connection is not open then, and the motors are off.
   void connected(Time now);
   void disconnected();
   void receive(std::span<const std::uint8_t> bytes, Time now);
   void sense(const BodySenses& senses, Time now);
-  /// Sends SIPs that are due, fires sonars, keeps the watchdog.
+  /// Sends SIPs that are due, fires sonars, checks the watchdog.
   void tick(Time now);
   [[nodiscard]] Time next_deadline() const { return sip_due_; }
-  /// What motors and gripper do from now on. To be asked regularly: speeds change by ramps.
+  /// Commands to motors and gripper from now on. Call regularly: speeds change by ramps.
   [[nodiscard]] BodyDrive drive(Time now);
-  /// What goes to the host, once.
+  /// Bytes for the host; empties the queue.
   [[nodiscard]] arcos::Bytes take_output();
 
-  // The robot's buttons, bumpers and battery.
+  // Buttons, bumpers and battery of the robot.
   void press_stop(bool pressed);
   void switch_motors(bool on);
-  /// A bit for each segment that is pressed, the lowest for the first.
+  /// One bit per pressed segment, the lowest for the first.
   void press_bumpers(unsigned front, unsigned rear);
   void set_battery(double volts) { config_.battery_v = volts; }
 
   [[nodiscard]] bool is_open() const { return open_; }
-  /// Until when a packet must have come, or the line is held by somebody who is no host; none: there is
-  /// nobody, or the connection is open.
+  /// Deadline for a packet while the connection is not open: a client that misses it is not a host. None: no
+  /// client, or the connection is open.
   [[nodiscard]] std::optional<Time> expects_packet_by() const {
     return connected_ && !open_ ? std::optional{heard_ + kHostPatience} : std::nullopt;
   }
-  /// Packets that were no command, and commands that it does not know.
+  /// Number of packets that were not a command, and of unknown commands.
   [[nodiscard]] std::uint64_t ignored_commands() const { return ignored_; }
-  /// Numbers of this host's commands that it does not know, each once.
+  /// Numbers of unknown commands of this host.
   [[nodiscard]] const std::set<std::uint8_t>& unknown_commands() const { return unknown_; }
-  /// Of those whose argument is of no kind or length that ARCOS has.
+  /// Numbers of commands whose argument has a type or length that ARCOS does not define.
   [[nodiscard]] const std::set<std::uint8_t>& malformed_commands() const { return malformed_; }
 
  private:
@@ -110,7 +110,7 @@ class Microcontroller {
   void shake_hands(const arcos::Command& command, Time now);
   void answer_sync(std::uint8_t number);
   void close();
-  // Each: false when the order is none of its kind.
+  // Each returns false when the order is of another kind.
   [[nodiscard]] bool move(arcos::Order order, int value);
   [[nodiscard]] bool switch_on_or_off(arcos::Order order, int value);
   [[nodiscard]] bool ask_for_report(arcos::Order order, int value);
@@ -134,14 +134,14 @@ class Microcontroller {
   arcos::Settings settings_;
   arcos::PacketFinder packets_;
   bool connected_ = false;
-  bool synchronised_ = false;  // SYNC2 was the last to be answered
+  bool synchronised_ = false;  // the last sync answered was SYNC2
   bool open_ = false;
   bool motors_on_ = false;
   bool stop_pressed_ = false;
   bool stop_stalls_ = true;
   bool sonar_on_ = false;
   bool gripper_closed_ = false;
-  unsigned front_bumpers_ = 0;  // that are pressed
+  unsigned front_bumpers_ = 0;  // pressed
   unsigned rear_bumpers_ = 0;
   int bump_stall_ = 3;  // argument of BUMPSTALL
   bool bump_stalled_ = false;
@@ -154,12 +154,12 @@ class Microcontroller {
   Time heard_{0};
   Time sip_due_{0};
   Time sonar_due_{0};
-  std::size_t next_sonar_ = 0;  // of each array
+  std::size_t next_sonar_ = 0;  // index in each array
   std::vector<arcos::Sip::Sonar> fired_;
   BodySenses senses_;
   DeadReckoning reckoning_;
   MotionControl motion_;
-  MotionControl::Speeds told_;  // what the motors were told last
+  MotionControl::Speeds told_;  // last command to the motors
   StallMonitor left_stall_;
   StallMonitor right_stall_;
   arcos::Bytes output_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the microcontroller sends while its connection is open: SIPs, and the reports that a host asked for.
+// What the microcontroller sends while its connection is open: SIPs, and the reports that a host requested.
 #include <algorithm>
 #include <utility>
 
@@ -27,8 +27,7 @@ std::int32_t in_ticks(double way_m, std::uint16_t ticks_per_mm) {
 void Microcontroller::tick(Time now) {
   if (!open_) return;
   motion_.hold(now - heard_ >= config_.watchdog);
-  if (now - sip_due_ > config_.watchdog)
-    sip_due_ = sonar_due_ = now;  // it has slept: nothing is caught up with
+  if (now - sip_due_ > config_.watchdog) sip_due_ = sonar_due_ = now;  // after a suspension: no backlog
   if (sonar_on_) {
     fire_sonars(now);
   } else {

@@ -7,11 +7,11 @@
 namespace caravan::bridge {
 namespace {
 
-constexpr double kGain = 5.0;  // 1/s: near its place a speed falls with what is left
+constexpr double kGain = 5.0;  // 1/s; close to the goal the speed is proportional to the distance
 
 double clamped(double value, double most) { return std::clamp(value, -most, most); }
 
-/// The speed that comes to rest at what is left, braking with `deceleration` at the end.
+/// The speed from which `deceleration` comes to rest within the remaining distance.
 double speed_towards(double left, double most, double deceleration) {
   const double braking = std::sqrt(2.0 * deceleration * std::abs(left));
   return std::copysign(std::min({most, braking, kGain * std::abs(left)}), left);

@@ -8,7 +8,7 @@
 
 namespace caravan::bridge {
 
-/// As a host has set them.
+/// Motion limits as set by a host.
 struct MotionLimits {
   double speed_mps = 0.75;
   double turn_radps = 1.75;
@@ -16,22 +16,22 @@ struct MotionLimits {
   double deceleration_mps2 = 0.3;
   double turn_acceleration_radps2 = 1.75;
   double turn_deceleration_radps2 = 1.75;
-  double wheel_mps = 1.5;  ///< what the motors can do
+  double wheel_mps = 1.5;  ///< limit of the motors
 };
 
-/// The motion servers of the microcontroller: what a host asked for, as wheel speeds that change by the
-/// accelerations.
+/// The motion controllers of the microcontroller: convert a host's setpoints into wheel speeds with limited
+/// acceleration.
 ///
-/// Translation and rotation are independent: each has one setpoint, a speed or a place, and the newest one
-/// counts. Wheel speeds are taken apart into the two, so that the same limits hold for them; they and the
-/// others exclude one another.
+/// Translation and rotation are independent. Each has one setpoint, a speed or a position; a new one replaces
+/// it. Wheel speeds are converted to translation and rotation, so that the same limits apply. They and the
+/// other setpoints replace each other.
 class MotionControl {
  public:
   explicit MotionControl(double track_m) : track_m_{track_m} {}
 
-  /// From the robot's odometry.
+  /// Position on the robot's odometry.
   struct Place {
-    double travelled_m = 0.0;  ///< backward counts negative
+    double travelled_m = 0.0;  ///< backwards negative
     double yaw_rad = 0.0;
   };
 
@@ -42,16 +42,16 @@ class MotionControl {
   void want_heading(double yaw_rad) { want_turn(Until{wrapped(yaw_rad)}); }
   void want_wheels(double left_mps, double right_mps);
   void want_stop();
-  /// At zero at once, whatever the deceleration.
+  /// Sets the speeds to zero at once, without deceleration.
   void halt();
-  /// At zero, by the decelerations, until it is let go; the setpoints stay.
+  /// While held, decelerates to zero and stays there; the setpoints remain.
   void hold(bool held) { held_ = held; }
-  /// The odometry's yaw is another one now.
+  /// The origin of the odometry's yaw has turned.
   void turn_origin(double by_rad);
 
-  /// The heading that was asked for, while it is the setpoint.
+  /// The heading setpoint, if there is one.
   [[nodiscard]] std::optional<double> heading_rad() const;
-  /// Which way the setpoint drives: above 0 ahead, below 0 back.
+  /// Speed demanded by the setpoint, forward positive.
   [[nodiscard]] double wanted_ahead_mps(const Place& place) const;
 
   struct Speeds {
@@ -64,7 +64,7 @@ class MotionControl {
   struct Until {
     double value = 0.0;  // travelled_m or yaw_rad
   };
-  using Setpoint = std::variant<double, Until>;  // a speed, or a place
+  using Setpoint = std::variant<double, Until>;  // a speed, or a position
 
   void want_ahead(const Setpoint& setpoint);
   void want_turn(const Setpoint& setpoint);
@@ -74,7 +74,7 @@ class MotionControl {
   MotionLimits limits_;
   Setpoint ahead_ = 0.0;
   Setpoint turn_ = 0.0;
-  bool by_wheels_ = false;  // both are of wheel speeds
+  bool by_wheels_ = false;  // both setpoints come from wheel speeds
   bool held_ = false;
   double ahead_mps_ = 0.0;
   double turn_radps_ = 0.0;

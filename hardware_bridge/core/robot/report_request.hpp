@@ -7,7 +7,7 @@
 
 namespace caravan::bridge {
 
-/// Whether a report goes out with the next SIP: not, once, or with each.
+/// Whether a report is sent with the next SIP: never, once, or with each SIP.
 class ReportRequest {
  public:
   void ask(int argument) {
@@ -15,7 +15,7 @@ class ReportRequest {
             : argument == arcos::kOneReport ? Wish::kOne
                                             : Wish::kEach;
   }
-  /// Is one due? To be asked once a SIP.
+  /// Whether the report is due. Call once per SIP.
   [[nodiscard]] bool take() {
     const bool due = wish_ != Wish::kNone;
     if (wish_ == Wish::kOne) wish_ = Wish::kNone;

@@ -8,12 +8,12 @@
 
 namespace caravan::bridge {
 
-/// Does a wheel turn as it is told? Half a second of far too slow is a stall.
+/// Detects a stalled wheel: far too slow for its command, for half a second.
 class StallMonitor {
  public:
   void see(double told_mps, double is_mps, Time now) {
     constexpr double kAbove_mps = 0.05;
-    constexpr double kBelow = 0.2;  // of what it is told
+    constexpr double kBelow = 0.2;  // share of the command
     const double way = told_mps > 0.0 ? is_mps : -is_mps;
     if (std::abs(told_mps) <= kAbove_mps || way >= kBelow * std::abs(told_mps)) {
       slow_since_.reset();

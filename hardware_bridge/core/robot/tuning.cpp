@@ -16,7 +16,7 @@ std::uint16_t up_to(int value, std::uint16_t top) {
   return static_cast<std::uint16_t>(std::min(std::abs(value), static_cast<int>(top)));
 }
 
-/// A maximum or an acceleration of 0 would stand for ever: it stays as it was.
+/// Ignores 0: with a maximum or an acceleration of 0 the robot could not move.
 void set(std::uint16_t& field, int value, std::uint16_t top) {
   if (value != 0) field = up_to(value, top);
 }

@@ -7,8 +7,8 @@
 
 namespace caravan::bridge {
 
-/// Changes the setting that an order is for, within what the robot can do.
-/// @return false: the order is for none
+/// Changes the setting of an order, within the robot's limits.
+/// @return false: the order does not set anything
 [[nodiscard]] bool tune(arcos::Settings& settings, arcos::Order order, int value);
 
 [[nodiscard]] MotionLimits limits_of(const arcos::Settings& settings);
