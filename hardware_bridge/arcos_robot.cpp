@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   std::uint32_t gps_port = kNotGiven;
   const runtime::Program program{
       .name = "arcos_robot",
-      .purpose = "An emulated Pioneer 3-DX: ARCOS on a TCP port of 127.0.0.1 in front of a body of the world",
+      .purpose = "An emulated Pioneer 3-DX: ARCOS on a TCP port of 127.0.0.1, for a body of the world",
       .numbers = {
           {"--robot", "Number of the body, from 1", true, &robot},
           {"--port", "TCP port for hosts; 0: any, it is printed (8100 + the number)", false, &port},

@@ -64,10 +64,10 @@ int main(int argc, char** argv) {
   std::vector<std::string> gps;
   const runtime::Program program{
       .name = "pioneer_bridge",
-      .purpose = "A real Pioneer robot (or arcos_robot) as one of the swarm: its agent runs unchanged",
+      .purpose = "A bridge to a real Pioneer robot (or arcos_robot), whose agent runs unchanged",
       .numbers = {{"--robot", "Number of the robot, from 1", true, &robot},
-                  {"--baud", "Of a serial --port; 0: search (0)", false, &baud},
-                  {"--gps-baud", "Of a serial --gps (9600)", false, &gps_baud}},
+                  {"--baud", "Baud rate of a serial --port; 0: search (0)", false, &baud},
+                  {"--gps-baud", "Baud rate of a serial --gps (9600)", false, &gps_baud}},
       .texts = {{"--port", "The robot: /dev/ttyUSB0 or tcp:HOST:8101", &port},
                 {"--gps", "Its GPS receiver (NMEA 0183): /dev/ttyUSB1, tcp:HOST:PORT or none", &gps}}};
   return runtime::run_process(

@@ -39,7 +39,7 @@ int main(int argc, char** argv) {
       .numbers = {{"--robot", "Number of the robot, from 1", true, &robot},
                   {"--bit-rate", "Bits a second on the air (250000)", false, &bit_rate},
                   {"--channel-change",
-                   "Microseconds that the radio is deaf when it changes its channel (130)", false,
+                   "Microseconds without reception when the radio changes its channel (130)", false,
                    &channel_change_us}},
       .texts = {{"--modem",
                  "/dev/ttyUSB2 or tcp:HOST:PORT (packets by SLIP), or udp:PORT for all on this machine",

@@ -22,7 +22,7 @@ struct Chosen {
 
 Chosen choose(std::uint32_t one, const std::vector<std::string>& several) {
   if ((one != kNotGiven) == !several.empty() || several.size() > 1) {
-    throw runtime::StartError{"which robots? Give --robot I, or --robots LIST (such as 1-15 or 1,3,5-8)"};
+    throw runtime::StartError{"give one of --robot I and --robots LIST (such as 1-15 or 1,3,5-8)"};
   }
   if (several.empty()) return {std::to_string(one), {one}};
   const auto robots = runtime::read_number_list(
@@ -38,10 +38,10 @@ int main(int argc, char** argv) {
   std::vector<std::string> controller;
   const runtime::Program program{
       .name = "robot_agent",
-      .purpose = "Runs a robot's controller, which has its own sensors, wheels and radio and nothing else",
+      .purpose = "The controllers of robots; each has only the sensors, wheels and radio of its robot",
       .numbers = {{"--robot", "Number of the robot, from 1", false, &one}},
-      .texts = {{"--robots", "Several in this process: 1-15, or 1,3,5-8", &several},
-                {"--controller", "What drives them: paper, or a shared library; without it the scenario says",
+      .texts = {{"--robots", "Several robots in this process: 1-15, or 1,3,5-8", &several},
+                {"--controller", "Their controller: paper, or a shared library (default: the scenario's)",
                  &controller}}};
   return runtime::run_process(
       program, argc, argv, [&](const runtime::Start& start, runtime::Loop& loop) -> int {

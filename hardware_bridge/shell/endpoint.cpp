@@ -50,7 +50,7 @@ Answer ask_name_service(const PortAddress& address, const std::string& option) {
   std::thread{[promise, address] { promise->set_value(ask(address, 0)); }}.detach();
   if (answer.wait_for(kNameServicePatience) == std::future_status::ready) return answer.get();
   throw runtime::StartError{option + ": the name service did not answer within 5 s for host " + address.host +
-                            "; give its address in numbers"};
+                            "; give its numeric address"};
 }
 
 bool is_tcp_port(const std::string& text) {

@@ -91,9 +91,8 @@ void ModemShell::tell_drops() {
   const std::uint64_t drops = radio_.over_mtu() + radio_.bad_channel() + radio_.queue_full();
   if (drops == 0 || drops < 2 * told_drops_) return;
   told_drops_ = drops;
-  spdlog::warn(
-      "frames refused: {} over the MTU, {} on channels that there are not, {} without room in the queue",
-      radio_.over_mtu(), radio_.bad_channel(), radio_.queue_full());
+  spdlog::warn("frames refused: {} over the MTU, {} on invalid channels, {} without room in the queue",
+               radio_.over_mtu(), radio_.bad_channel(), radio_.queue_full());
 }
 
 void ModemShell::keep_line_open() {

@@ -121,7 +121,9 @@ void RobotShell::tell_whether_a_body_is_there() {
         "(without --bodies it serves {})",
         topic, domain_, number_, idl::name_for(idl::kSensors, number_));
   } else {
-    spdlog::warn("nothing comes on {} any more: the world has ended, is paused, or waits for others", topic);
+    spdlog::warn(
+        "no frames arrive on {} any more: the world has ended, is paused, or waits for other processes",
+        topic);
   }
 }
 
@@ -159,7 +161,7 @@ void RobotShell::let_in_a_host() {
 void RobotShell::let_go_of_a_silent_host() {
   const auto due = robot_.expects_packet_by();
   if (!has_host_ || !due || now() < *due) return;
-  spdlog::warn("host {} has sent no packet of ARCOS for {} s: let go, others may connect", host_peer_,
+  spdlog::warn("host {} has sent no ARCOS packet for {} s: disconnected, others may connect", host_peer_,
                Microcontroller::kHostPatience / 1s);
   host_.close();
   has_host_ = false;

@@ -92,7 +92,7 @@ void Bridge::tell_what_is_awaited(Time now) {
     if (!is_here) awaited += (awaited.empty() ? "" : ", ") + std::string{what};
   };
   await(link_.is_heard(now), "the robot");
-  await(link_.unsafe(now).empty(), "a line that works both ways in time");
+  await(link_.unsafe(now).empty(), "a line that works in both directions without delay");
   await(!latch_.is_on(), "the MOTORS button after an emergency stop");
   await(fusion_.pose(now).has_value(), "its position");
   await(is_wished(now), "the agent's commands");

@@ -53,7 +53,8 @@ void GpsSource::tick(Time now) {
   if (!awaits_first_fix_ || now - *up_ < kFirstFixPatience) return;
   awaits_first_fix_ = false;
   const std::string so_far = " in the first " + in_seconds(kFirstFixPatience);
-  if (!has_bytes_) warn("the receiver has sent nothing" + so_far + ": is it on, and --gps its port?");
+  if (!has_bytes_)
+    warn("the receiver has sent nothing" + so_far + ": is it switched on, and is --gps its port?");
   if (has_sentence_ && !has_place_)
     warn("the receiver has sent no GGA" + so_far + ": switch it on in the receiver");
   if (has_no_fix_) warn("the receiver has no fix" + so_far + ": does its antenna see the sky?");
@@ -64,7 +65,7 @@ void GpsSource::tell_of_line(std::size_t bytes, bool understood) {
   if (not_understood_ < kBytesWorthTelling) return;
   not_understood_ = 0;
   warn("no NMEA sentence in " + std::to_string(kBytesWorthTelling) +
-       " bytes: is it a receiver, and --gps-baud its rate?");
+       " bytes: is it a GPS receiver, and is --gps-baud its rate?");
 }
 
 bool GpsSource::is_new(const nmea::Gga& gga, Time now) {

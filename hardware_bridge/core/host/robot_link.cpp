@@ -195,8 +195,8 @@ void RobotLink::tell_of_watchdog(const arcos::Settings& settings) {
   const Time watchdog = std::chrono::milliseconds{settings.watchdog_ms};
   if (settings.watchdog_ms != 0 && watchdog <= config_.slowest_watchdog) return;
   const std::string stop = settings.watchdog_ms == 0 ? "its own watchdog is off: it never stops"
-                                                     : "its own watchdog stops it after " +
-                                                           std::to_string(watchdog / 1ms) + " ms only";
+                                                     : "its own watchdog stops it only after " +
+                                                           std::to_string(watchdog / 1ms) + " ms";
   notices_.push_back(
       {Notice::Weight::kWarning, "if the robot's cable is cut, " + stop + "; set it to 300 ms in the robot"});
 }
@@ -223,7 +223,7 @@ void RobotLink::tick(Checking& state, Time now) {
   if (now < state.ask_due) return;
   if (state.asked + 1 >= kCheckAttempts) {
     note(Notice::Weight::kWarning,
-         "the robot does not answer CONFIG: not checked are its name, its watchdog and that it receives");
+         "the robot does not answer CONFIG: its name, its watchdog and its reception are not checked");
     return run(now, false);
   }
   put(arcos::encode(Order::kConfig, 1));
@@ -252,7 +252,7 @@ std::string RobotLink::unsafe(Time now) const {
   const auto* running = std::get_if<Running>(&state_);
   if (running == nullptr) return "";
   if (running->unanswered && now >= *running->unanswered + kAnswerPatience) {
-    return "the robot's packets come, but it does not receive ours (cut from host to robot?)";
+    return "the robot sends packets but does not receive ours (cut from host to robot?)";
   }
   if (!running->behind) return "";
   return "the robot's packets arrive " + in_seconds(running->lag.lag()) +

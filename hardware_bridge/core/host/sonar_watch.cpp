@@ -33,7 +33,7 @@ Notice SonarWatch::told_of(const Set& stuck) const {
                           : stuck.count() == 1 ? "sonar " + which + " reads"
                                                : "sonars " + which + " read";
   return {Notice::Weight::kWarning,
-          who + " 0 mm all the time, as if something touched them: covered, or defect? The robot may stand",
+          who + " 0 mm all the time, as if touched: covered or defective? The robot may stand still",
           "sonars at 0"};
 }
 

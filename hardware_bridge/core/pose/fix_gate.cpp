@@ -20,7 +20,7 @@ std::string complaint(const nmea::Gga& gga) {
     case 6:
       return "an estimated position (quality 6) is no fix";
     case 7:
-      return "a position that was typed in (quality 7) is no fix";
+      return "a manual position (quality 7) is no fix";
     case 8:
       return "a simulated position (quality 8) is no fix";
     default:
@@ -30,8 +30,9 @@ std::string complaint(const nmea::Gga& gga) {
   std::array<char, 16> hdop{"no HDOP"};
   if (gga.hdop) std::snprintf(hdop.data(), hdop.size(), "HDOP %.1f", *gga.hdop);
   std::array<char, 120> text{};
-  std::snprintf(text.data(), text.size(), "fix too poor: %u satellites, %s; at least %u and at most %.1f",
-                gga.satellites, hdop.data(), kFewestSatellites, kMostHdop);
+  std::snprintf(text.data(), text.size(),
+                "fix too poor: %u satellites, %s; needs at least %u, HDOP at most %.1f", gga.satellites,
+                hdop.data(), kFewestSatellites, kMostHdop);
   return text.data();
 }
 

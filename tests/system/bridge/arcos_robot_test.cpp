@@ -238,7 +238,7 @@ TEST_F(ArcosRobot, TakesOneHostAtATime) {
 
 TEST_F(ArcosRobot, WhoeverSendsNoPacketLosesTheLineToAHost) {
   Host silent{robot_.port};
-  EXPECT_TRUE(robot_.process->prints("has sent no packet of ARCOS for 5 s", kPatience));
+  EXPECT_TRUE(robot_.process->prints("has sent no ARCOS packet for 5 s", kPatience));
   Host host{robot_.port};
   host.open();
   EXPECT_TRUE(host.sip([](const Sip&) { return true; })) << robot_.process->output();

@@ -86,7 +86,7 @@ TEST_F(DrivingLoop, ACableThatIsPulledAndPutBackNeedsNoRestart) {
 }
 
 TEST_F(DrivingLoop, ARobotAsDeliveredStopsTooLateWhenItsCableIsCutAndThatIsSaid) {
-  EXPECT_THAT(told_, HasSubstr("its own watchdog stops it after 2000 ms only; set it to 300 ms"));
+  EXPECT_THAT(told_, HasSubstr("its own watchdog stops it only after 2000 ms; set it to 300 ms"));
 }
 
 /// With the watchdog as docs/bring_your_robot.md wants it.

@@ -274,7 +274,7 @@ TEST(RobotLink, TellsOfAWatchdogThatIsTooSlowToStopARobotWithACutCable) {
     (void)link.receive(settings({"Fred", "Pioneer", "p3dx"}, watchdog_ms), 10ms);
     return told_by(link);
   };
-  EXPECT_THAT(told(2000), HasSubstr("after 2000 ms only"));
+  EXPECT_THAT(told(2000), HasSubstr("only after 2000 ms"));
   EXPECT_THAT(told(0), HasSubstr("is off"));
   EXPECT_THAT(told(600), Not(HasSubstr("watchdog")));
 }
