@@ -10,6 +10,14 @@ if(BUILD_TESTING)
 #define CARAVAN_SOURCE_DIR "@PROJECT_SOURCE_DIR@"
 #define CARAVAN_BIN_DIR "@CMAKE_RUNTIME_OUTPUT_DIRECTORY@"
 ]] @ONLY)
+
+  # The headers of nearly every test, compiled once: half of a test's compile time. Test files still include what they use.
+  file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/test_headers.cpp CONTENT "")
+  add_library(caravan_test_headers OBJECT ${CMAKE_BINARY_DIR}/generated/test_headers.cpp)
+  target_link_libraries(caravan_test_headers PRIVATE caravan_warnings GTest::gmock)
+  target_precompile_headers(caravan_test_headers PRIVATE
+    <gmock/gmock.h> <gtest/gtest.h>
+    <algorithm> <chrono> <filesystem> <fstream> <functional> <map> <memory> <optional> <set> <sstream> <string> <thread> <vector>)
 endif()
 
 # caravan_test(NAME LABEL level SOURCES... LINK... [TIMEOUT seconds] [SLOW]): a GoogleTest program; every case is a ctest with that label.
@@ -23,6 +31,7 @@ function(caravan_test name)
   math(EXPR arg_TIMEOUT "10 * ${arg_TIMEOUT}")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE caravan_warnings GTest::gmock GTest::gtest_main ${arg_LINK})
+  target_precompile_headers(${name} REUSE_FROM caravan_test_headers)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_include_directories(${name} PRIVATE ${CARAVAN_BUILD_PATHS_DIR})
   set(label ${arg_LABEL})

@@ -8,6 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -62,26 +64,71 @@ TEST(DomainLock, IsFreeAgainWhenItsHolderHasGone) {
   EXPECT_EQ(refusal_of(domain), "");
 }
 
-TEST(DomainLock, MayBeTakenByAChildOfItsHolderAndByNobodyFurtherAway) {
+/// A child process that holds a free domain until destruction. It has no descendants.
+class Holder {
+ public:
+  Holder() {
+    EXPECT_EQ(pipe2(domain_.data(), O_CLOEXEC), 0);
+    EXPECT_EQ(pipe2(end_.data(), O_CLOEXEC), 0);
+    child_ = fork();
+    if (child_ == 0) hold();
+    close(end_[0]);
+    close(domain_[1]);
+    EXPECT_EQ(read(domain_[0], &held_, sizeof held_), static_cast<ssize_t>(sizeof held_));
+  }
+  ~Holder() {
+    close(end_[1]);
+    close(domain_[0]);
+    EXPECT_EQ(waitpid(child_, nullptr, 0), child_);
+  }
+  Holder(const Holder&) = delete;
+  Holder& operator=(const Holder&) = delete;
+
+  [[nodiscard]] std::uint32_t domain() const { return held_; }
+
+ private:
+  [[noreturn]] void hold() {
+    close(end_[1]);
+    const DomainLock lock{std::nullopt};
+    const std::uint32_t domain = lock.domain();
+    char none = 0;
+    const bool told = write(domain_[1], &domain, sizeof domain) == static_cast<ssize_t>(sizeof domain);
+    _exit(told && read(end_[0], &none, 1) == 0 ? 0 : 1);  // 0 bytes: the parent has closed the pipe
+  }
+
+  std::array<int, 2> domain_{};
+  std::array<int, 2> end_{};
+  pid_t child_ = -1;
+  std::uint32_t held_ = 0;
+};
+
+TEST(DomainLock, MayBeTakenByADescendantOfItsHolder) {
   const DomainLock held{std::nullopt};
   const auto is_refused = [&] { return refusal_of(held.domain()).empty() ? 0 : 1; };
   EXPECT_EQ(in_a_child(is_refused), 0);
-  EXPECT_EQ(in_a_child([&] { return in_a_child(is_refused); }), 1);
+  EXPECT_EQ(in_a_child([&] { return in_a_child(is_refused); }), 0);
+}
+
+TEST(DomainLock, IsRefusedToTheParentAndTheSiblingsOfItsHolder) {
+  const Holder holder;
+  const auto is_refused = [&] { return refusal_of(holder.domain()).empty() ? 0 : 1; };
+  EXPECT_EQ(is_refused(), 1);
+  EXPECT_EQ(in_a_child(is_refused), 1);
 }
 
 TEST(DomainLock, CountsWhateverTheFolderOfTemporaryFilesIs) {
-  const DomainLock held{std::nullopt};
+  const Holder holder;
   std::string pattern = std::filesystem::temp_directory_path() / "caravan_lock_XXXXXX";
   const std::string elsewhere = mkdtemp(pattern.data());
   for (const std::string& folder : {elsewhere, std::string{"/nowhere"}}) {
     EXPECT_EQ(in_a_child([&] {
                 setenv("TMPDIR", folder.c_str(), 1);
-                return in_a_child([&] { return refusal_of(held.domain()).empty() ? 0 : 1; });
+                return refusal_of(holder.domain()).empty() ? 0 : 1;
               }),
               1);
     EXPECT_EQ(in_a_child([&] {
                 setenv("TMPDIR", folder.c_str(), 1);
-                return DomainLock{std::nullopt}.domain() == held.domain() ? 0 : 1;
+                return DomainLock{std::nullopt}.domain() == holder.domain() ? 0 : 1;
               }),
               1);
   }
@@ -90,14 +137,13 @@ TEST(DomainLock, CountsWhateverTheFolderOfTemporaryFilesIs) {
 
 TEST(DomainLock, CountsForAnotherUserToo) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can be somebody else";
-  const DomainLock held{std::nullopt};
+  const Holder holder;
   const uid_t root = geteuid();
   EXPECT_EQ(in_a_child([&] {
               if (setuid(65534) != 0) return 9;
-              if (DomainLock{std::nullopt}.domain() == held.domain()) return 2;
-              if (other_user_in(held.domain()) != root) return 3;
-              return in_a_child(
-                  [&] { return refusal_of(held.domain()).find("user root") == std::string::npos ? 4 : 0; });
+              if (DomainLock{std::nullopt}.domain() == holder.domain()) return 2;
+              if (other_user_in(holder.domain()) != root) return 3;
+              return refusal_of(holder.domain()).find("user root") == std::string::npos ? 4 : 0;
             }),
             0);
 }
