@@ -26,8 +26,7 @@ struct Endpoint {
   std::optional<sockaddr_in> place;  ///< of a TCP address
 };
 /// Resolves a host name once, so that a line never waits for the name service while wheels turn.
-/// @throws StartError naming `option` when the host is unknown, or the name service does not answer within 5
-/// s
+/// @throws StartError naming `option` when the host is unknown, or there is no answer within 5 s
 [[nodiscard]] Endpoint resolve(const PortAddress& address, const std::string& option);
 
 /// One text for all names of a device: a serial port without symbolic links, a TCP address in numbers.

@@ -75,7 +75,7 @@ Descriptor begin_connecting(const sockaddr_in& place) {
 
 /// TIOCEXCL would stay set while another program still has the terminal open.
 void leave_to_others(int descriptor) {
-  ioctl(descriptor, TIOCNXCL);  // fails on a socket, which does not need it
+  ioctl(descriptor, TIOCNXCL);  // fails on a socket, harmlessly
 }
 
 /// Like write(), but without SIGPIPE on a closed connection.
@@ -87,8 +87,7 @@ ssize_t write_some(int descriptor, const Bytes& bytes) {
 
 void send_at_once(int socket) {
   const int on = 1;
-  setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on,
-             sizeof on);  // fails on a serial port, which does not need it
+  setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);  // fails on a serial port, harmlessly
 }
 
 }  // namespace

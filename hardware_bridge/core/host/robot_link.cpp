@@ -157,8 +157,7 @@ void RobotLink::hear_settings(const arcos::Settings& settings, Time now) {
     running->answers = true;
     running->unanswered.reset();
     if (running->asked.empty()) return;
-    running->lag.answered(now -
-                          running->asked.front());  // or it answers a later question, and the lag is smaller
+    running->lag.answered(now - running->asked.front());  // if of a later question, the lag is smaller
     running->asked.pop_front();
   }
 }

@@ -209,9 +209,9 @@ bool Microcontroller::ask_for_report(Order order, int value) {
     case Order::kJoystickRequest:
       joystick_asked_.ask(value);
       return true;
-    case Order::kImuRequest:      // A Pioneer 3-DX as it is delivered has neither inertial sensors nor gyro,
-    case Order::kGyro:            // nor batteries that tell of themselves: it answers nothing. It changes its
-    case Order::kBatteryRequest:  // baud rate; a line on TCP has none.
+    case Order::kImuRequest:  // A Pioneer 3-DX as delivered has no inertial sensors, no gyro and no batteries
+    case Order::kGyro:        // that report their state: it sends no answer. A line on TCP has no baud rate.
+    case Order::kBatteryRequest:
     case Order::kHostBaud:
       return true;
     default:

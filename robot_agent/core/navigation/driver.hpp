@@ -15,7 +15,7 @@ namespace caravan::agent {
 /// What blocked the robot in a step.
 enum class Obstruction : std::uint8_t {
   kNone,
-  kRobot,     ///< an echo ahead and a WAIT: the robot gives way
+  kRobot,     ///< another robot ahead: this one gives way
   kObstacle,  ///< an echo ahead without a WAIT: the robot stands, and the task reacts
   kTouch      ///< no movement despite commands: the robot frees itself
 };
@@ -39,11 +39,10 @@ struct DriverSettings {
 
 /// Drives the robot to a goal, around robots and obstacles.
 ///
-///   state       | way free | robot ahead        | obstacle ahead        | stuck              | manoeuvre
-///   over
-///   ------------+----------+--------------------+-----------------------+--------------------+---------------
-///   Steering    | steer    | Manoeuvring (rule) | stand, kObstacle      | Manoeuvring (free) | -
-///   Manoeuvring | continue | continue           | continue              | Manoeuvring (free) | Steering
+///   state       | way free | robot ahead        | obstacle ahead   | stuck              | manoeuvre over
+///   ------------+----------+--------------------+------------------+--------------------+---------------
+///   Steering    | steer    | Manoeuvring (rule) | stand, kObstacle | Manoeuvring (free) | -
+///   Manoeuvring | continue | continue           | continue         | Manoeuvring (free) | Steering
 ///
 /// keep_clear() filters all commands. If it changes them by Recovery::held_mps or more for longer than
 /// Recovery::held_time, a manoeuvre skips its current leg. In Steering, if robots are the reason, this counts

@@ -13,9 +13,9 @@ namespace caravan::agent {
 /// Algorithm 2, and the approach to the destination.
 struct Exploration {
   double step_m = 1.0;       ///< to the next location
-  double spread_rad = 1.05;  ///< initial range of a new direction around the heading
+  double spread_rad = 1.05;  ///< initial range of directions to either side of the heading
   double widening = 1.2;     ///< factor of this range after each draw that meets an echo
-  std::uint32_t draws = 24;  ///< largest number for one location
+  std::uint32_t draws = 24;  ///< most draws for one location
   double turn_room_m = 0.5;  ///< free space behind the new location, to turn there
   double reached_m = 0.3;    ///< distance at which a location is reached
   Time location_timeout = std::chrono::seconds{6};  ///< then another location is drawn
@@ -74,8 +74,8 @@ struct MeetingRule {
 
   // A robot that reports its position.
   double ahead_rad = 1.2;         ///< largest angle from the way to the goal
-  double standing_mps = 0.1;      ///< slower robots stand
-  double oncoming_cosine = -0.5;  ///< it comes towards this one below this cosine between both directions
+  double standing_mps = 0.1;      ///< slower robots count as standing
+  double oncoming_cosine = -0.5;  ///< oncoming below this cosine of the angle between both directions
   double time_s = 2.5;            ///< longest time to the closest point of approach
 
   bool operator==(const MeetingRule&) const = default;
@@ -84,7 +84,7 @@ struct MeetingRule {
 /// Short sequences of movements without regard to the goal. A `spread` is the range of a random part: it
 /// keeps two robots from mirroring each other.
 struct Manoeuvres {
-  double speed_share = 0.6;  ///< highest speed, of the cruise speed
+  double speed_share = 0.6;  ///< highest speed as a share of the cruise speed
   double reverse_mps = 0.3;
   double heading_tolerance_rad = 0.1;          ///< of the heading at which a turn ends
   double ahead_m = 0.3;                        ///< a leg forwards ends with less free space ahead of the body
@@ -117,7 +117,7 @@ struct Manoeuvres {
   std::vector<double> round_rad = {0.4, 0.7, 1.0, 1.3, 1.7, 2.1, 2.6, 3.1};  ///< to either side of the goal
   double round_m = 0.5;
   double round_spread_m = 0.3;
-  // Coming free: back, turn, forward; each larger by a step with every attempt, up to free_steps.
+  // Getting free: back, turn, forward; each larger by a step with every attempt, up to free_steps.
   double free_back_m = 0.25;
   double free_back_step_m = 0.08;
   double free_turn_rad = 0.6;
@@ -133,17 +133,17 @@ struct Manoeuvres {
 
 /// A robot without progress.
 struct Recovery {
-  // It is stuck when it moves less than this
+  // The robot is stuck when it moves less than this
   double stuck_moved_m = 0.12;
   double stuck_turned_rad = 0.25;
   // while its commands amount to this.
   double stuck_commanded_m = 0.5;
   double stuck_commanded_rad = 2.0;
-  // keep_clear() holds it
-  double held_mps = 0.3;  ///< when it changes the speeds of both wheels together by this
+  // The robot is held by keep_clear()
+  double held_mps = 0.3;  ///< when the speeds of both wheels together are changed by this
   Time held_time = std::chrono::milliseconds{700};  ///< for longer than this
 
-  // Trouble counts as the same within this time and distance.
+  // Events count as the same trouble within this time and distance.
   Time again_time = std::chrono::seconds{15};
   double again_m = 1.0;
   std::uint32_t attempts = 20;  ///< number after which remembered surfaces are ignored

@@ -25,7 +25,7 @@ struct WaitSettings {
   double stray_m = 0.1;     ///< error of the reported position that causes an early WAIT
   double stray_rad = 0.3;   ///< the same of the heading
   Time stray_pause = std::chrono::milliseconds{100};      ///< shortest time before an early WAIT
-  Time remembered_away = std::chrono::milliseconds{200};  ///< a robot counts as near, while tuned away
+  Time remembered_away = std::chrono::milliseconds{200};  ///< near for this time while tuned away
 
   bool operator==(const WaitSettings&) const = default;
 };

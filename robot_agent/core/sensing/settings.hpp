@@ -14,7 +14,7 @@ namespace caravan::agent {
 struct Sonars {
   double aperture_rad = robot_model::kSonarAperture_rad;  ///< full cone of each
   double range_m = robot_model::kSonarRange_m;
-  double longest_age_s = 1.0;  ///< older ranges are ignored: a robot at cruise has left the place
+  double longest_age_s = 1.0;  ///< older ranges are ignored: at cruise speed the robot has left the place
 
   bool operator==(const Sonars&) const = default;
 };
@@ -79,18 +79,18 @@ struct ObstacleMemory {
 
 /// What counts as a touch, by the wheels.
 struct TouchSensing {
-  double reached_share = 0.8;  ///< of its command, which a wheel has reached
-  double lost_share = 0.75;    ///< of its command, below which it has then slowed
+  double reached_share = 0.8;  ///< share of its command that a wheel has reached
+  double lost_share = 0.75;    ///< share of its command below which it has then slowed
   double slowest_mps = 0.08;   ///< slower commands are not judged
-  double pushed_mps = 0.03;    ///< smallest speed of the base that shows where it is pushed
+  double pushed_mps = 0.03;    ///< deviation of the base's speed that tells front from rear contact
   Time longest_gap = std::chrono::milliseconds{50};  ///< sensor frames farther apart are not judged
   Time pause = std::chrono::milliseconds{500};       ///< shortest time between two touches
 
   bool operator==(const TouchSensing&) const = default;
 };
 
-/// When an echo that vanishes ahead is an obstacle lower than the sonars. One that is
-/// 0.1 m high vanishes at about half a metre, a flatter one farther away.
+/// When an echo that vanishes ahead counts as an obstacle lower than the sonars. An obstacle 0.1 m high
+/// vanishes at about half a metre, a flatter one farther away.
 struct EchoLoss {
   double seen_m = 2.1;       ///< largest range at which both forward sonars see it
   double one_thing_m = 0.3;  ///< largest difference between their ranges

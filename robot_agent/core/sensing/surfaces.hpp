@@ -14,9 +14,9 @@ namespace caravan::agent {
 /// Remembers surfaces near by that are not robots.
 ///
 /// Corners and oblique walls return no echo. But the walls that meet in a corner did so before the robot came
-/// beside it, and a wall that a sonar has followed is likely to go on a little. Such places are kept for
-/// SurfaceMemory::recent, and in a map for SurfaceMemory::duration. A robot without progress forgets what the
-/// map has around it.
+/// beside it, and a wall that a sonar follows is likely to go on a little. Places of echoes are kept for
+/// SurfaceMemory::recent, and in a map for SurfaceMemory::duration; the continuation of a wall only while a
+/// sonar follows it. A robot without progress forgets what the map has around it.
 class Surfaces {
  public:
   /// @param recognises_high  whether is_high() will be used

@@ -12,7 +12,6 @@ namespace caravan::agent {
 ///
 /// Uses only the two forward sonars, while the robot drives straight at something that both see: an obstacle
 /// as high as the sonars cannot leave both cones then.
-/// see: what is as high as they are cannot leave both cones then.
 class VanishingEcho {
  public:
   explicit VanishingEcho(const EchoLoss& settings) : settings_{settings} {}

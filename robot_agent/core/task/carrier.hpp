@@ -30,6 +30,7 @@ struct CarrierSettings {
 ///   Following | drive, smooth | shortcut provisional: old | Wandering   | -
 ///             |               | section back; else round  |             |
 ///   Wandering | explore       | new location              | -           | Following
+///
 /// A touch counts only while no robot is near; without a provisional shortcut the driver's own manoeuvre is
 /// enough. Wandering also ends after Progress::wander_timeout, and at an end of the path.
 class Carrier {

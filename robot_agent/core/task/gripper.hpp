@@ -20,7 +20,7 @@ class Gripper {
  public:
   enum class Change : std::uint8_t { kNone, kPickedUp, kNothingThere, kDelivered, kNotDelivered };
 
-  /// @param patience  for `holding` to follow what it was told
+  /// @param patience  time for `holding` to follow a command
   explicit Gripper(Time patience = std::chrono::milliseconds{300}) : patience_{patience} {}
 
   void arrive_at_source(Time now);
