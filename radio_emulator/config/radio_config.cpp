@@ -7,7 +7,7 @@ namespace caravan::radio {
 
 MediumConfig load_radio_config(const runtime::TomlDocument& scenario) {
   const runtime::RadioTable table = runtime::read_radio(scenario);
-  return {.propagation = {.range_m = table.range_m, .loss_probability = table.loss_probability},
+  return {.propagation = table.propagation,
           .channel_count = table.channel_count,
           .mtu_bytes = table.mtu_bytes,
           .queue_length = table.queue_length,

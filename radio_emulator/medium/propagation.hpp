@@ -4,16 +4,11 @@
 #include <limits>
 #include <optional>
 
-#include "runtime/pure/robot_model.hpp"
+#include "runtime/pure/propagation_config.hpp"
 
 namespace caravan::radio {
 
-/// Propagation between two positions. Part of TOML table `[radio]`.
-struct PropagationConfig {
-  double range_m =
-      robot_model::kRadioRange_m;  ///< hard disc: a frame arrives iff distance(sender, receiver) <= range_m
-  double loss_probability = 0.0;   ///< within range, independently for each frame and receiver, in [0, 1]
-};
+using pure::PropagationConfig;
 
 /// Properties of the link between a sender and a receiver.
 struct Link {

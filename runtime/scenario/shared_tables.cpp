@@ -46,11 +46,11 @@ RobotsTable read_robots(const TomlDocument& scenario) {
 RadioTable read_radio(const TomlDocument& scenario) {
   RadioTable radio;
   TomlTable table = scenario.table("radio");
-  table.read("range_m", radio.range_m, kLength_m);
+  table.read("range_m", radio.propagation.range_m, kLength_m);
   table.read("channel_count", radio.channel_count, {2, 4294967295.0});
   table.read("mtu_bytes", radio.mtu_bytes, {32, 65535});
   table.read("queue_length", radio.queue_length, {1, 65535});
-  table.read("loss_probability", radio.loss_probability, {0.0, 1.0});
+  table.read("loss_probability", radio.propagation.loss_probability, {0.0, 1.0});
   table.refuse_unknown();
   return radio;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "runtime/config/toml_table.hpp"
+#include "runtime/pure/propagation_config.hpp"
 #include "runtime/pure/robot_model.hpp"
 
 /// The scenario's tables that more than one process reads. A table that only one process reads is defined
@@ -44,11 +45,10 @@ struct RobotsTable {
 
 /// `[radio]`: the medium. Read by radio emulator and agents.
 struct RadioTable {
-  double range_m = robot_model::kRadioRange_m;
+  pure::PropagationConfig propagation;
   std::uint32_t channel_count = robot_model::kChannelCount;
   std::uint32_t mtu_bytes = robot_model::kMtu_bytes;
   std::uint32_t queue_length = 64;
-  double loss_probability = 0.0;
 };
 
 enum class Pacing : std::uint8_t {

@@ -18,7 +18,8 @@ from check_includes import ALLOWED, INCLUDE, rule_for
 EXEMPLARS = {
     # On the wire and in the world; in a controller's Sensors; in those of the paper's agent.
     "sensor (the compass)": r"compass_yaw_rad|compass: counter-clockwise|yaw_WB_rad = sensors\.yaw_rad",
-    "radio model (loss by chance)": r"loss_probability|lose_by_chance",
+    # PropagationConfig has it; `link` is what a model returns, and `loss_probability()` is a request's, not the model's.
+    "radio model (loss by chance)": r"(?<!link)\.loss_probability\b(?!\()|double loss_probability =|`loss_probability`",
     "metric (contacts with something static)": r"robot_static",
     # step_m is its member of struct Exploration.
     "scenario key (exploration_step_m)": r"exploration_step_m|double step_m\b",
