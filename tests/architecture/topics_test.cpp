@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of topics in docs/protocol.md is the one in idl/topics.hpp.
+// The table of topics in docs/protocol.md equals that in idl/topics.hpp.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -51,13 +51,13 @@ std::string to_text(idl::Party party) {
   return "";
 }
 
-/// The last part of a type's name, without the underscore that its spelling on the wire has.
+/// The last part of the name of a type, without the trailing underscore that it has on the wire.
 std::string short_name(std::string_view type) {
   const std::size_t colon = type.rfind(':');
   return std::string{type.substr(colon + 1, type.size() - colon - 2)};
 }
 
-/// Topic -> the cells of its row: type, delivery, writer, reader.
+/// The cells of the row of each topic: type, delivery, writer, reader.
 std::map<std::string, std::vector<std::string>> documented() {
   std::ifstream page{CARAVAN_SOURCE_DIR "/docs/protocol.md"};
   std::map<std::string, std::vector<std::string>> rows;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Each part of a step of the embedded engine alone, on what it was given in a recorded run of scaling.toml,
-// and the whole step. One iteration is one step of all robots; embedded_speed.py makes the table.
+// Each part of a step of the embedded engine alone, with the inputs that it had in a recorded run of
+// scaling.toml, and the whole step. One iteration is one step of all robots; embedded_speed.py makes the
+// table.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -21,7 +22,7 @@
 namespace caravan::benchmarks {
 namespace {
 
-/// Recorded once for each number of robots: some simulated seconds of each.
+/// The recorded run with this number of robots: some simulated seconds, recorded once.
 const RecordedRun& run_of(std::int64_t robots) {
   static std::map<std::int64_t, RecordedRun> runs;
   const auto known = runs.find(robots);
@@ -31,7 +32,7 @@ const RecordedRun& run_of(std::int64_t robots) {
       .first->second;
 }
 
-/// Goes through the recorded steps again and again; `restart` brings a part to their beginning, untimed.
+/// Repeats the recorded steps; `restart` resets the part before the first step, untimed.
 template <typename Restart, typename Step>
 void repeat(benchmark::State& state, Restart restart, Step step) {
   const RecordedRun& run = run_of(state.range(0));
@@ -106,7 +107,7 @@ void whole_step(benchmark::State& state) {
       [&](const RecordedRun&, std::size_t) { benchmark::DoNotOptimize(&engine->step()); });
 }
 
-/// Robots in a ring of rings that all drive at its middle: after some seconds each touches its neighbours.
+/// Robots on a spiral that all drive towards its centre; after some seconds each touches its neighbours.
 void jam(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
   world::WorldConfig config = run_of(15).world;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The floor under the lockstep's speed: the same processes, the same messages and the same barrier, over
-// pipes instead of DDS.
+// A lower bound for the cost of the lockstep: the same processes, messages and barrier over pipes instead of
+// DDS.
 //
-// Every receiver has one pipe that all its senders write to; a message is a small header and as many bytes as
-// the DDS sample has. World, radio and agents compute nothing, unless --world-us gives the world something to
-// do. Prints steps per second.
+// Each receiver has one pipe to which all its senders write. A message is a small header and as many bytes as
+// the DDS sample has. World, radio and agents compute nothing, unless --world-us makes the world compute.
+// Prints steps per second.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -32,7 +32,7 @@ struct Header {
   bool radio_due;
 };
 
-// Serialized sizes of the DDS samples at 15 robots, in bytes.
+// Serialized sizes of the DDS samples with 15 robots, in bytes.
 constexpr std::uint16_t kSensorBytes = 332;
 constexpr std::uint16_t kCommandBytes = 44;
 constexpr std::uint16_t kTransmitBytes = 52;

@@ -11,13 +11,13 @@
 #include "world_server/config/world_config.hpp"
 #include "world_server/types.hpp"
 
-/// What went in and out of each part of a run, so that each can be repeated alone.
+/// The inputs and outputs of each part of a run, so that each part can be repeated alone.
 namespace caravan::benchmarks {
 
 struct RecordedStep {
   std::vector<world::Pose> poses;
   std::vector<radio::Station> stations;
-  std::vector<caravan::Inputs> inputs;  // [0] is robot 1, as in all that follow
+  std::vector<caravan::Inputs> inputs;  // [0] is robot 1; likewise in the members below
   std::vector<radio::Transmission> transmissions;
   std::vector<std::optional<world::Command>> commands;
 };
@@ -33,7 +33,7 @@ struct RecordedRun {
 /// deploy/scenarios/scaling.toml with this number of robots.
 [[nodiscard]] runtime::TomlDocument scaling_scenario(std::size_t robots);
 
-/// The first steps of it, as the embedded engine takes them.
+/// Records the first steps of this scenario in the embedded engine.
 [[nodiscard]] RecordedRun record_run(std::size_t robots, std::size_t steps);
 
 }  // namespace caravan::benchmarks

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world server with the physics left out: its real shell around a World that costs nothing.
+// The world server without physics: its real shell with a World that costs nothing.
 //
-// Robots stand for ever, 10 m apart but for pairs 1 m apart, so that 30 % of them hear somebody in each step.
-// Defines the members of World itself; the linker then takes none of the real ones.
+// Robots stand still for ever, 10 m apart, except for pairs that are 1 m apart, so that 30 % of the robots
+// receive something in each step. This file defines the members of World; the linker then does not take the
+// real ones.
 #include <cmath>
 #include <limits>
 #include <string>

@@ -13,7 +13,7 @@ namespace caravan::test {
 /// A program that provides rt/robot_1/sensors and executes rt/robot_1/command.
 struct Provider {
   std::string name;
-  /// Starts it on the field; it ends with the returned processes.
+  /// Starts the provider and what it needs. They end when the returned processes are destroyed.
   std::vector<std::unique_ptr<Process>> (*start)(class ContractField& field) = nullptr;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Requirements of an agent on the provider of its robot. Times are measured by the frames' own stamps: these
-// tests do not depend on the speed of the machine.
+// What an agent requires of the provider of its robot. Times are taken from the stamps of the frames, so
+// these tests do not depend on the speed of the machine.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -33,13 +33,13 @@ bool is_placed(const Frame& frame) {
 
 class RobotContract : public ContractField {
  protected:
-  /// An agent whose robot knows its position.
+  /// Starts an agent and waits until its robot knows its position.
   void play(PlayedAgent::Choose choose) {
     agent_.emplace(bus(), 1, std::move(choose));
     ASSERT_TRUE(eventually([&] { return !agent_->frames().empty() && is_placed(agent_->frames().back()); },
                            kPatience));
   }
-  /// Frames with a known position, over `span_s` of their own time from now on.
+  /// The frames with a known position from now on, until their stamps span `span_s`.
   [[nodiscard]] std::vector<Frame> watch(double span_s) {
     const std::size_t first = agent_->frames().size();
     std::vector<Frame> frames;

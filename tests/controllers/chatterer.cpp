@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wanders, sends what it drew to everybody, and lets what it hears change where it goes: a run depends on
-// every input.
+// A controller that wanders, broadcasts random bytes, and lets received bytes change its course: a run
+// depends on every input.
 #include <algorithm>
 #include <caravan/controller.hpp>
 #include <cmath>

@@ -28,7 +28,7 @@ runtime::TomlDocument with_library(const std::string& name, const std::string& k
   return scenario("library = \"" + kFolder + name + ".so\"\n" + keys);
 }
 
-/// What is wrong with the controller of robot 2.
+/// The error for the controller of robot 2; empty if there is none.
 std::string refusal(const runtime::TomlDocument& document) {
   try {
     (void)Controllers{document}.make(load_config(document, 2));

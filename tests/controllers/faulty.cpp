@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Breaks the rule that the scenario names, on robot 2.
+// A controller that breaks the rule that the scenario names, on robot 2 only.
 #include <caravan/controller.hpp>
 #include <chrono>
 #include <cstdlib>

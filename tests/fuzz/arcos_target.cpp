@@ -11,7 +11,7 @@
 namespace caravan::bridge::fuzz {
 namespace {
 
-/// What decodes encodes to the same bytes, up to fields that follow the known ones.
+/// Decoded data is encoded to the same bytes, except for fields beyond those known.
 void round_trips(const arcos::Bytes& data) {
   if (const auto sip = arcos::decode_sip(data); sip && sip->sonars.size() <= 32) {
     const arcos::Bytes again = arcos::encode(*sip);

@@ -47,7 +47,8 @@ void bridge(std::span<const std::uint8_t> bytes) {
     now += 10ms;
     const std::uint8_t what = script.byte();
     const auto stuff = script.take(what >> 3U);
-    // Bits of the head: garbage to the host, to the robot, from the GPS; otherwise the two talk.
+    // The lower bits of the first byte: garbage to the host, to the robot, from the GPS. Otherwise host and
+    // robot exchange their own bytes.
     if ((what & 1U) != 0) bridge.robot_says(stuff, now);
     if ((what & 2U) != 0) robot.receive(stuff, now);
     if ((what & 4U) != 0) bridge.gps_says(stuff, now);

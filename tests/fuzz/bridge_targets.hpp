@@ -4,17 +4,18 @@
 #include <cstdint>
 #include <span>
 
-/// What the fuzzer calls with bytes of its own. Each aborts when its claim does not hold.
+/// Targets that a fuzzer calls with arbitrary bytes. Each aborts if its assertion does not hold.
 namespace caravan::bridge::fuzz {
 
-/// Packets, commands and SIPs come back from their bytes, however the stream is cut.
+/// Packets, commands and SIPs are encoded to the bytes they were decoded from, however the stream is split.
 void arcos(std::span<const std::uint8_t> bytes);
 
-/// Sentences stay in their bounds and come back from their text.
+/// Decoded sentences are within their bounds, and are decoded again after encoding.
 void nmea(std::span<const std::uint8_t> bytes);
 
-/// Bridge and robot survive any bytes on their lines and keep to their bounds. The bytes are a list of steps:
-/// the upper five bits of the first say how many follow, the lower three who gets them.
+/// Bridge and robot handle any bytes on their lines and stay within their bounds. The bytes are a list of
+/// steps: the upper five bits of the first byte are the number of bytes that follow, the lower three select
+/// their receivers.
 void bridge(std::span<const std::uint8_t> bytes);
 
 }  // namespace caravan::bridge::fuzz

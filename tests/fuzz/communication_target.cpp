@@ -55,7 +55,7 @@ void communication(std::span<const std::uint8_t> bytes) {
     for (const Frame& frame : out.frames) CARAVAN_ASSERT(frame.bytes.size() <= config.air.mtu_bytes);
     if (out.received) CARAVAN_ASSERT(out.received->size() >= 2);
   }
-  CARAVAN_ASSERT(!stands);  // 3.2 s of silence end every attempt
+  CARAVAN_ASSERT(!stands);  // every attempt ends after 3.2 s of silence
 }
 
 }  // namespace caravan::agent::fuzz

@@ -33,7 +33,7 @@ std::vector<Bytes> corpus(const std::string& name) {
   return inputs;
 }
 
-/// A few bytes changed, cut off, doubled: what a fuzzer does, without one.
+/// Changes, cuts or doubles a few bytes, as a fuzzer does.
 Bytes mutated(Bytes bytes, pure::Random& random) {
   const auto below = [&random](std::size_t limit) {
     return static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(limit)));

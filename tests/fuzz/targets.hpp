@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <span>
 
-/// What the fuzzer calls with bytes of its own. Each aborts when its claim does not hold.
+/// Targets that a fuzzer calls with arbitrary bytes. Each aborts if its assertion does not hold.
 namespace caravan::agent::fuzz {
 
-/// Whatever decodes encodes to the same bytes.
+/// Decoded messages are encoded to the same bytes.
 void codec(std::span<const std::uint8_t> bytes);
 
-/// A robot survives any frames in any order, and never stands still beyond its bound. The bytes are a list of
-/// steps: one byte says how many frames follow, each frame is a length byte and so many bytes.
+/// A robot handles any frames in any order and never stands still longer than its bound. The bytes are a list
+/// of steps: one byte for the number of frames, then for each frame a length byte and as many bytes.
 void communication(std::span<const std::uint8_t> bytes);
 
 }  // namespace caravan::agent::fuzz

@@ -114,7 +114,7 @@ void AirWorld::check(std::uint16_t id, Robot& robot) {
   if (robot.out.stand_still && robot.still_since < Time{0}) robot.still_since = now;
 }
 
-/// It speaks to one partner at most, keeps to the radio's limits, and says what it does.
+/// A robot has at most one partner, respects the limits of the radio, and does what its WAIT says.
 void AirWorld::check_frames(std::uint16_t id, Robot& robot) {
   std::optional<RobotId> partner;
   bool says_wait = false;
@@ -153,7 +153,8 @@ void AirWorld::check_frames(std::uint16_t id, Robot& robot) {
   }
 }
 
-/// Paths arrive whole and as the partner had them, with a completed exchange only, and never too soon again.
+/// A path arrives whole and as the partner had it, only with a completed exchange; two robots do not meet
+/// again too soon.
 void AirWorld::check_exchanges(std::uint16_t id, Robot& robot) {
   for (const Exchange& exchange : robot.out.ended) {
     if (exchange.ended != now || exchange.began > now) breach(id, "ends an exchange at another time");

@@ -11,15 +11,15 @@
 
 namespace caravan::agent::testing {
 
-/// What the air does to each frame on its way to each receiver.
+/// The effects of the radio medium on each frame on its way to each receiver.
 struct Weather {
   double loss = 0.0;
   double duplicate = 0.0;
-  int max_delay_steps = 0;  ///< beyond the one step that every frame takes
+  int max_delay_steps = 0;  ///< in addition to the one step of every frame
 };
 
-/// Robots in virtual time, all within earshot unless parted. After every step it checks what must hold
-/// whatever the air does; what does not is in `breaches`.
+/// Robots in simulated time, all within radio range unless parted. After each step it checks the invariants
+/// that hold whatever the medium does, and records violations in `breaches`.
 class AirWorld {
  public:
   struct Robot {
@@ -28,26 +28,26 @@ class AirWorld {
     Path path;
     AirOutputs out;
     Wait presence;         // its last WAIT
-    Time still_since{-1};  // -1: it drives
+    Time still_since{-1};  // -1: it is driving
     Time longest_still{0};
-    Time stood{0};  // in all
+    Time stood{0};  // total
     std::vector<Exchange> ended;
     std::vector<Path> received;
-    std::map<std::uint16_t, Time> rejected;  // when last
+    std::map<std::uint16_t, Time> rejected;  // time of the last rejection of each robot
   };
 
   AirWorld(std::uint64_t seed, const CommunicationSettings& config);
   void add(std::uint16_t id, Path path);
   void remove(std::uint16_t id);
   void restart(std::uint16_t id);
-  /// Whether two robots hear each other from now on.
+  /// Sets whether two robots are out of range of each other from now on.
   void part(std::uint16_t one, std::uint16_t other, bool parted);
   void run(int steps);
   void run_for(Time span) { run(static_cast<int>(span / kStep)); }
 
   [[nodiscard]] Robot& robot(std::uint16_t id) { return robots_.at(id); }
   [[nodiscard]] std::map<std::uint16_t, Robot>& robots() { return robots_; }
-  /// True while each robot that waits for a partner is waited for by it.
+  /// True if each robot that waits for a partner has a partner that waits for it.
   [[nodiscard]] bool is_symmetric() const;
 
   static constexpr Time kStep = std::chrono::milliseconds{32};
@@ -76,7 +76,7 @@ class AirWorld {
   std::map<std::pair<std::uint16_t, std::uint16_t>, bool> parted_;
 };
 
-/// A path of so many points, different for each robot.
+/// A path with this number of points, different for each robot.
 [[nodiscard]] Path path_of(std::uint16_t id, std::size_t points);
 
 }  // namespace caravan::agent::testing

@@ -71,7 +71,7 @@ TEST(ExchangeProperty, SeveralPairsOnOnePrivateChannelOnlySlowEachOtherDown) {  
     world.run_for(20s);
     std::size_t received = 0;
     for (const auto& [id, robot] : world.robots()) received += robot.received.size();
-    EXPECT_GE(received, 40U);  // 56 are possible
+    EXPECT_GE(received, 40U);  // of 56 possible ones
     ASSERT_THAT(world.breaches, IsEmpty());
   }
 }

@@ -15,7 +15,7 @@ constexpr std::uint64_t kSeeds = 500;
 const Point kSource{-21.5, -22.0};
 const Point kDestination{15.93, -3.98};
 
-/// A wandering path. Coarse ones share vertices, overlap, touch and turn back on themselves often.
+/// A random path. Coarse ones often share vertices, overlap, touch and turn back on themselves.
 Path wandering(pure::Random& random, bool coarse) {
   Path path{kSource};
   const int vertices = static_cast<int>(random.uniform(0.0, 60.0));
@@ -32,7 +32,7 @@ Path wandering(pure::Random& random, bool coarse) {
   return path;
 }
 
-/// A relative of a path: sections of it, shifted a little, left out, repeated, reversed.
+/// A path similar to another: vertices of it, shifted a little, left out, repeated or reversed.
 Path relative_of(const Path& path, pure::Random& random) {
   Path result{path.front()};
   for (std::size_t index = 1; index + 1 < path.size(); ++index) {
@@ -101,7 +101,8 @@ TEST(MergeProperty, IsConnectedAlongTheTwo) {
     const Path merged = merge(a, b);
     for (std::size_t index = 1; index < merged.size(); ++index) {
       const Point along = merged[index] - merged[index - 1];
-      // A segment that begins at a change of paths leaves its path by kTouch_m at most.
+      // A segment that begins where the merged path changes from one path to the other is at most kTouch_m
+      // away from its path.
       const auto stays_on = [&](const Path& path) {
         for (double fraction = 0.0; fraction <= 1.0; fraction += 0.125) {
           if (distance_to(path, merged[index - 1] + fraction * along) > kTouch_m + 0.001) return false;
@@ -136,8 +137,8 @@ TEST(MergeProperty, OfTheResultWithEitherPathIsNotLonger) {
   }
 }
 
-/// Algorithm 7 read aloud: of all chains of intersections in order, the one whose shorter sections sum up to
-/// the least.
+/// A direct implementation of Algorithm 7: among all ordered chains of intersections, the one for which the
+/// sum of the shorter sections is least.
 double algorithm_7(const Path& a, const Path& b, double& most_it_may_cost) {
   auto meetings = *intersections(a, b, 1000000);
   meetings.push_back({{length_m(a), 0, 0}, {length_m(b), 0, 0}, Point{0.0, 0.0}, 0.0});

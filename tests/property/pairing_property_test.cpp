@@ -29,7 +29,7 @@ Weather bad_weather(pure::Random& random) {
   return {random.uniform(0.0, 0.5), random.uniform(0.0, 0.2), below(random, 6)};
 }
 
-/// Robots come, go, restart, part and meet at any moment.
+/// Adds, removes, restarts, parts or rejoins robots at random.
 void stir(AirWorld& world, pure::Random& random) {
   const std::uint16_t id = static_cast<std::uint16_t>(1 + below(random, 6));
   const std::uint16_t other = static_cast<std::uint16_t>(1 + below(random, 6));
@@ -102,7 +102,7 @@ TEST(PairingProperty, InQuietAirAllMeetAllAndThenDriveOn) {  // P-8
     for (const auto& [id, robot] : world.robots()) {
       std::size_t met = 0;
       for (const Exchange& exchange : robot.ended) met += exchange.completed ? 1 : 0;
-      EXPECT_GE(met, 4U) << "robot " << id;  // one END too many lost in bad weather costs a partner 10 min
+      EXPECT_GE(met, 4U) << "robot " << id;  // lost ENDs can postpone a partner by 10 min
       EXPECT_FALSE(robot.out.stand_still) << "robot " << id;
     }
     ASSERT_THAT(world.breaches, IsEmpty());

@@ -47,7 +47,7 @@ double Forger::real() {
 Bytes Forger::payload() {
   Bytes bytes(below(300));
   for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random_());
-  // Looks like the robots' own protocol.
+  // A frame that looks like one of the robots' own protocol.
   if (bytes.size() > 1) bytes[0] = 0xc1, bytes[1] = static_cast<std::uint8_t>(1 + below(7));
   return bytes;
 }

@@ -8,7 +8,7 @@
 namespace caravan::experiment {
 namespace {
 
-/// The small scenario with more items, robots that are solid or not and stop for an exchange or not.
+/// The small scenario with more items; robots that are solid or not, and that stop for an exchange or not.
 runtime::TomlDocument small(bool solid, bool stop, int seed) {
   const auto text = [](bool value) { return std::string{value ? "true" : "false"}; };
   return runtime::TomlDocument::parse("seed = " + std::to_string(seed) +
@@ -32,7 +32,7 @@ struct Outcome {
   int exchanges_completed = 0;
   int reports_of_exchanging = 0;
   int contacts = 0;
-  double closest_m = 1e9;  // of any two robots
+  double closest_m = 1e9;  // distance of any two robots
 };
 
 Outcome run(const runtime::TomlDocument& scenario) {

@@ -6,7 +6,7 @@
 namespace caravan::experiment {
 namespace {
 
-/// Six robots in the room of small.toml, which is narrow for them: they turn and give way beside walls.
+/// Six robots in the room of small.toml, which is narrow for six: they turn and give way beside walls.
 runtime::TomlDocument narrow(int seed, int items, const std::string& algorithm) {
   return runtime::TomlDocument::parse("seed = " + std::to_string(seed) +
                                           "\n[robots]\ncount = 6\nsource_m = [-4.5, -4.5]\n"
@@ -41,7 +41,7 @@ Outcome run(const runtime::TomlDocument& scenario, int items) {
   return outcome;
 }
 
-// Without seen.surfaces: 24, 23.
+// Contacts of each seed without seen.surfaces: 24, 23.
 TEST(Contacts, RobotsThatTurnAndGiveWayBesideWallsSeldomTouchThem) {
   int contacts = 0;
   for (const int seed : {1, 2}) {
@@ -53,7 +53,7 @@ TEST(Contacts, RobotsThatTurnAndGiveWayBesideWallsSeldomTouchThem) {
   EXPECT_LE(contacts, 15);
 }
 
-// With WAITs once a second and no oftener: 3, 4, 8.
+// Contacts of each seed with one WAIT a second and none between: 3, 4, 8.
 TEST(Contacts, RobotsWhoseWaitsAreRareSeldomTouchEachOther) {
   int contacts = 0;
   for (const int seed : {1, 2, 3}) {

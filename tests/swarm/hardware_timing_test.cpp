@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole agents as they run on hardware: ten frames a second, late and lost ones, sonars that fire in turn or
-// not at all. Bridge, emulated Pioneer, ODE world and agent in one process and in time of the test's own.
+// Whole agents under the conditions of hardware: ten frames a second, late and lost frames, sonars that fire
+// in turn or not at all. Bridge, emulated Pioneer, ODE world and agent run in one process and in simulated
+// time.
 #include <gtest/gtest.h>
 
 #include <deque>
@@ -46,8 +47,8 @@ size_m = [1.2, 1.2]
 
 struct Conditions {
   std::string name;
-  Time jitter{0};     // up to so late a SIP arrives
-  double lost = 0.0;  // share of SIPs that do not
+  Time jitter{0};     // greatest delay of a SIP
+  double lost = 0.0;  // share of SIPs that are lost
   std::vector<std::size_t> dead_sonars = {};
 };
 

@@ -19,7 +19,7 @@ constexpr double kRadioRange_m = 2.0;
 constexpr double kReached_m = 0.5;
 constexpr double kPi = std::numbers::pi;
 
-/// A driver on wheels that need time to gain speed, among others on an open floor.
+/// A driver with limited acceleration, among others on an open floor.
 struct Robot {
   Driver driver;
   Neighbours neighbours;
@@ -28,7 +28,7 @@ struct Robot {
   Point goal;
 };
 
-/// Robots that drive to their goals and tell each other where they are; without the rest of an agent.
+/// Robots that drive to their goals and report their positions to each other, without the rest of an agent.
 class Floor {
  public:
   explicit Floor(std::uint64_t seed) : random_{seed} {}
@@ -49,7 +49,7 @@ class Floor {
   [[nodiscard]] bool has_reached(std::size_t i) const {
     return (robots_[i].body.p_WB - robots_[i].goal).norm() < kReached_m;
   }
-  /// @return when all have been at their goals; nothing: not within the time
+  /// @return the time at which every robot has been at its goal; none: not within `seconds`
   [[nodiscard]] std::optional<double> all_reach_within(double seconds) {
     std::vector<bool> reached(robots_.size(), false);
     for (double passed = 0.0; passed < seconds; passed += kStep_s) {
@@ -85,7 +85,7 @@ class Floor {
     hear(i, before);
     move(robot, motion.wheels);
   }
-  /// What the others say now arrives in the next step.
+  /// The WAITs that the others send now are received in the next step.
   void hear(std::size_t i, const std::vector<Robot>& before) {
     for (std::size_t j = 0; j < before.size(); ++j) {
       const Robot& other = before[j];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The agents' protocol over radios with the limits of real ones: small frames, one channel at a time, deaf
-// while sending.
+// The agents' protocol over radios with the limits of real ones: small frames, one channel at a time, no
+// reception while sending.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -23,7 +23,7 @@ struct Radio {
   bridge::modem::RadioLimits limits;
 };
 
-/// Two robots side by side whose agents step ten times a second, not at the same moments.
+/// Two robots side by side. Their agents step ten times a second, not at the same times.
 class Pair {
  public:
   Pair(const Radio& radio, std::uint64_t seed) : radios_{HalfDuplex{radio.limits}, HalfDuplex{radio.limits}} {
@@ -39,7 +39,7 @@ class Pair {
     }
     for (int i = 0; i < 120; ++i) path_.emplace_back(0.5 * i, (i % 7) * 0.1);
   }
-  /// @return when robot 2 had robot 1's whole path
+  /// @return the time at which robot 2 has robot 1's whole path; none: not within `seconds`
   [[nodiscard]] std::optional<double> exchange_within(double seconds) {
     for (Time now{0}; now < bridge::to_time(seconds); now += 100us) {
       carry(now);

@@ -17,7 +17,7 @@ namespace {
 struct Outcome {
   bool finished_in_time = false;
   int with_static = 0;
-  int again = 0;  // of these, of a robot where it had one before
+  int again = 0;  // of these, where the same robot had one before
   int remembered = 0;
 };
 
@@ -63,7 +63,7 @@ runtime::TomlDocument boxes(const std::string& name, int seed) {
   return runtime::TomlDocument::parse(text, name);
 }
 
-// Without both memories: 73 and 169.
+// Without both memories: 73 again, of 169 contacts.
 TEST(UnseenObstacles, AreSeldomTouchedAndSeldomAgain) {
   int again = 0;
   int contacts = 0;
@@ -81,7 +81,7 @@ TEST(UnseenObstacles, AreSeldomTouchedAndSeldomAgain) {
   EXPECT_LE(contacts, 140);
 }
 
-// Without both memories: 53.
+// Without both memories: 53 contacts.
 TEST(UnseenObstacles, CornersOfObliqueBoxesAreSeldomTouchedWhoseFacesWereSeenMinutesAgo) {
   int contacts = 0;
   for (const int seed : {1, 2, 3}) {
@@ -94,7 +94,8 @@ TEST(UnseenObstacles, CornersOfObliqueBoxesAreSeldomTouchedWhoseFacesWereSeenMin
   EXPECT_LE(contacts, 35);
 }
 
-/// A wall across the room with a door of 1 m, past which a low box stands; the GPS errs by centimetres.
+/// A wall across the room with a door of 1 m and a low box beyond it; the GPS has an error of some
+/// centimetres.
 runtime::TomlDocument door(int seed) {
   return runtime::TomlDocument::parse("seed = " + std::to_string(seed) +
                                           "\n[robots]\ncount = 3\nsource_m = [-4.0, 0.0]\n"

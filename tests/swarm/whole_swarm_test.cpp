@@ -25,11 +25,11 @@ runtime::TomlDocument small_with(const std::vector<std::pair<std::string, std::s
   return runtime::TomlDocument::parse(text, "small.toml");
 }
 
-/// What became of a run.
+/// The outcome of a run.
 struct Outcome {
   std::uint32_t delivered = 0;
   double time_s = 0.0;
-  double longest_stand_s = 0.0;  // of any robot: within 0.5 m of one place
+  double longest_stand_s = 0.0;  // longest time of any robot within 0.5 m of one place
   int exchanges_completed = 0;
   int contacts = 0;  // between robots
   std::map<std::uint32_t, std::vector<Place>> paths;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Several agents in one process, with the test in the place of their world.
+// Several agents in one process; the test takes the place of their world.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

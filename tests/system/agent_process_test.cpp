@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The real agent, with the test in the place of its world.
+// The real agent; the test takes the place of its world.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -54,7 +54,7 @@ TEST_F(AgentProcess, HasItsFiveTopicsAndNoOthers) {
         return written.size() >= 3 && read.size() >= 2;
       },
       kPatience);
-  // All endpoints are made before the agent says that it waits, so none is still to come.
+  // The agent creates all endpoints before it reports that it waits, so no further one can appear.
   ASSERT_TRUE(process.prints("waiting for the world", kPatience));
   bus.close();
   EXPECT_THAT(written,
@@ -88,8 +88,8 @@ TEST_F(AgentProcess, TakesOverFromOneThatWasKilled) {
     Process first{agent("1"), folder_ / "first.log"};
     ASSERT_TRUE(first.prints("waiting for the world", kPatience));
   }
-  // The only frame that the world sends until it is answered, and it comes while the first one still counts
-  // as living.
+  // The world sends no other frame until this one is answered. The frame arrives while the first agent still
+  // counts as alive.
   const Collector<msg::RobotCommandPubSubType> commands{bus_config(), idl::kCommand, 1};
   runtime::Bus bus{bus_config()};
   auto sensors = bus.writer<msg::SensorFramePubSubType>(idl::kSensors, 1);
@@ -122,7 +122,7 @@ TEST_F(AgentProcess, RefusesANumberOutOfRange) {
   }
 }
 
-/// A made-up drive: the place and the ranges change from frame to frame, so that the commands do too.
+/// A made-up drive: position and ranges change with each frame, and so do the commands.
 msg::SensorFrame recorded_frame(int step) {
   msg::SensorFrame frame;
   frame.stamp(idl::to_wire(step * 32ms));

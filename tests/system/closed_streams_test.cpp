@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Standard streams that nobody reads any more, or that are closed: what a run records is whole.
+// Standard streams that are closed or whose reader has left: the records of the run are complete.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ constexpr std::chrono::seconds kPatience{100};
 
 class ClosedStreams : public ::testing::TestWithParam<const char*> {
  protected:
-  /// Runs the small scenario with this behind it in a shell, and looks at what was recorded.
+  /// Runs the small scenario in a shell with this redirection, and checks its records.
   void expect_whole_record(const std::string& redirection) {
     const std::string line = std::string{CARAVAN_BIN_DIR} + "/caravan run " +
                              scenario("small.toml").string() + " --engine " + GetParam() + " --out " +

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Checks that the presets dev and release give the same digests. Exit code 77 when one of them is not built."""
+"""Checks that the presets dev and release give the same digests. Exit code 77: skipped, because one of them is not built."""
 
 import json
 import pathlib

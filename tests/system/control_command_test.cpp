@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `caravan ctl` on a run that is under way.
+// `caravan ctl` on a running emulation.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ class ControlCommand : public ::testing::Test {
     const int code = process.wait(30s).value_or(-1);
     return {code, process.output()};
   }
-  /// The number after `words`, -1 when they do not appear.
+  /// The number after `words`; -1 if they do not appear.
   static long number_after(const std::string& words, const std::string& text) {
     std::smatch found;
     return std::regex_search(text, found, std::regex{words + " ([0-9]+)"}) ? std::stol(found[1]) : -1;
@@ -58,13 +58,13 @@ TEST_F(ControlCommand, PausesStepsSteersAndDisturbsARun) {
   EXPECT_EQ(wall.text, "refused: something solid is there\n");
   EXPECT_EQ(ctl({"spawn", "3", "5", "-5"}).text, "refused: robot 3 is in the world already\n");
   EXPECT_EQ(ctl({"remove", "3"}).code, 0);
-  // The status comes twice a second.
+  // The status is published twice a second.
   Said removed;
   EXPECT_TRUE(eventually(
       [&] { return (removed = ctl({"status"})).text.find("removed robot 3") != std::string::npos; },
       kPatience))
       << removed.text;
-  // Four robots cannot stand in the way at five places.
+  // The other robots cannot occupy all five places.
   Said teleport;
   for (const std::string x : {"-5", "-4", "-3", "-2", "-1"}) {
     if (teleport.code != 0) teleport = ctl({"teleport", "1", x, "5"});

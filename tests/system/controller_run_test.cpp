@@ -24,7 +24,7 @@ class ControllerRun : public testing::Test {
     std::string said;
     nlohmann::json metrics;
   };
-  /// Of the small scenario, with `keys` in its table [controller].
+  /// Runs the small scenario with `keys` in its table [controller].
   Ended run(const std::string& keys, const std::string& engine, const std::string& name,
             const std::vector<std::string>& more) {
     const fs::path file = folder_ / "mine.toml";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole runs of the command over DDS: what it leaves behind, and what it survives.
+// Whole runs of the command over DDS: their records, and the faults that they survive.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -74,7 +74,7 @@ class DdsRun : public ::testing::Test {
         kRunPatience);
   }
 
-  // The lock is held here; the run is given its domain.
+  // The test holds the lock; the run is given its domain.
   runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
 };
@@ -128,7 +128,7 @@ TEST_F(DdsRun, AnInterruptAtAnyMomentStopsEverybody) {
   }
 }
 
-/// The last status of a radio that has ended is not waited for.
+/// The launcher does not wait for the last status of a radio that has ended.
 TEST_F(DdsRun, ThatLostItsRadioEndsAsSoonAsItsWorldHasFinished) {
   Process caravan{run({"--items", "1000", "--max-time", "300"}), folder_ / "caravan.log"};
   const auto has = [this](const char* file, const std::string& text) {
@@ -150,7 +150,7 @@ TEST_F(DdsRun, WithoutItsRadioTheSwarmStopsExchangingAndNothingElse) {
   ASSERT_EQ(kill(pid_of("radio_emulator"), SIGTERM), 0);
   EXPECT_EQ(caravan.wait(kRunPatience), 1) << caravan.output();
   const std::vector<EventRow> rows = events();
-  // What ended in the steps that were under way then still counts: a session ends by its own timer.
+  // Exchanges under way when the radio was lost may still end: a session ends by its own timer.
   const double lost_s = rows[before - 1].time_s + 30.0;
   std::set<int> delivering;
   for (const EventRow& row : rows) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The deployment test kit itself: what it does is repeatable, what fails is told.
+// The deployment test kit itself: its actions are repeatable, and its failures are reported.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ using ::testing::HasSubstr;
 
 class DeploymentKit : public PatientDeployment {
  protected:
-  /// The small scenario for 40 simulated seconds, with or without what people do to it.
+  /// Runs the small scenario for 40 simulated seconds, with or without faults.
   std::string digest_of_a_run(bool with_faults) {
     deploy({.scenario = scenario("small.toml"),
             .changes = "experiment.items = 1000\nexperiment.max_time_s = 40.0",
@@ -54,7 +54,7 @@ TEST_F(DeploymentKit, FaultsAtAStepGiveTheSameRunEveryTime) {
   EXPECT_NE(digest_of_a_run(false), first);
 }
 
-/// What `caravan run` records of the same run, by the other engine.
+/// The records of the same run by `caravan run` with the embedded engine.
 class RecordOfARun {
  public:
   RecordOfARun(const std::filesystem::path& scenario, const ScratchFolder& folder) {
@@ -72,7 +72,7 @@ class RecordOfARun {
                  static_cast<std::uint32_t>(std::stoul(row.substr(robot)))}];
     }
   }
-  /// As text, so that numbers, words and what is not known compare alike.
+  /// As text, so that numbers, words and unknown values compare alike.
   [[nodiscard]] std::string metric(std::string key, std::uint32_t robot) const {
     std::replace(key.begin(), key.end(), '.', '/');
     const nlohmann::json& found = (robot == 0 ? metrics_ : metrics_.at("per_robot").at(robot - 1))
@@ -97,7 +97,7 @@ std::string to_text(const std::optional<deploy::Tally::Number>& metric) {
 }
 
 TEST_F(DeploymentKit, SeesTheMetricsAndEventsThatTheRecordOfTheSameRunHas) {
-  // The destination is in sight of the start, so that much happens in 25 simulated seconds.
+  // The destination is in sight of the start, so that much happens within 25 simulated seconds.
   deploy({.scenario = scenario("small.toml"),
           .changes = "robots.destination_m = [-1.0, -4.5]\nalgorithm.sharing_starts_s = 2.0\n"
                      "algorithm.recontact_after_s = 2.0\nexperiment.items = 1000\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What determinism_test.cpp asserts, with many repetitions and on the paper's experiment. For tests/run
+// The assertions of determinism_test.cpp with many repetitions and on the paper's experiment. For tests/run
 // --long.
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@
 namespace caravan::test {
 namespace {
 
-/// Exchanges of paths begin after 15 min.
+/// Long enough for exchanges of paths, which begin after 15 min.
 const std::vector<std::string> kFirstTwentyMinutes{"--items", "0", "--max-time", "1200"};
 
 class SmallDeterminism : public testing::TestWithParam<Placement> {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One scenario, one digest: whatever engine, transport and number of processes, however often, however busy
-// the machine. What is slow of it is in determinism_long_test.cpp.
+// One scenario gives one digest, whatever the engine, the transport, the number of processes, the repetition
+// and the load of the machine. The slow cases are in determinism_long_test.cpp.
 #include <gmock/gmock.h>
 
 #include "tests/system/support/burners.hpp"
@@ -9,7 +9,7 @@
 namespace caravan::test {
 namespace {
 
-/// The small scenario for so long that paths are found and exchanged.
+/// The small scenario, long enough for paths to be found and exchanged.
 const std::vector<std::string> kExperiment{"--mode", "full", "--items", "0", "--max-time", "150"};
 
 class Determinism : public testing::TestWithParam<Placement> {};

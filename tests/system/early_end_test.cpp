@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processes of a run that end before it has begun, or right afterwards.
+// Processes that end before their run has begun or immediately afterwards.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -21,11 +21,11 @@ using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Half of the time that a scenario gives the start by default.
+/// Half of the default `start_timeout_s`.
 constexpr std::chrono::milliseconds kPatience{60'000};
 const fs::path kPrograms{CARAVAN_BIN_DIR};
 
-/// A folder of programs, as the launcher looks for them beside itself, in which one is not what it should be.
+/// A folder with the launcher and the programs beside it, one of which a test replaces.
 class EarlyEnd : public ::testing::Test {
  protected:
   EarlyEnd() {

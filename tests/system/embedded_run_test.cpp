@@ -22,7 +22,7 @@ nlohmann::json metrics_of(const fs::path& folder) {
   return nlohmann::json::parse(read_file(folder / "metrics.json"));
 }
 
-/// How a run of these words ends and what it says; its log lies outside the folder that it fills.
+/// How a run with this command line ends, and its output. Its log lies outside the folder that it fills.
 struct Ending {
   std::optional<int> exit_code;
   std::string said;
@@ -40,7 +40,7 @@ std::vector<std::string> embedded(const fs::path& scenario, const fs::path& out,
   return words;
 }
 
-/// A run of the small scenario that goes on until it is stopped.
+/// A run of the small scenario that continues until it is stopped.
 std::vector<std::string> endless(const fs::path& out) {
   return embedded(kSmall, out, {"--items", "0", "--max-time", "100000000", "--quiet"});
 }
@@ -117,7 +117,7 @@ TEST(EmbeddedRun, AKillLosesNoRecordOlderThanASecond) {
 
   EXPECT_EQ(process.wait(kPatience), 128 + SIGKILL);
   EXPECT_EQ(metrics_of(out)["ended"], false);
-  // What metrics.json tells of is in the tracks too: the row of its last whole second is there.
+  // tracks.csv covers the time in metrics.json: it has the rows of the last whole second.
   const std::string second = "\n" + std::to_string(static_cast<long>(known_s) - 1) + ".";
   EXPECT_THAT(read_file(out / "tracks.csv"), testing::HasSubstr(second));
 }

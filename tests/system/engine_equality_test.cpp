@@ -23,13 +23,13 @@ nlohmann::json run(const fs::path& scenario, const std::string& engine, const st
   return nlohmann::json::parse(read_file(out / "metrics.json"));
 }
 
-/// What must not depend on the engine: everything but its name and wall time.
+/// Everything that must not depend on the engine: all but its name and the wall time.
 nlohmann::json without_wall_time(nlohmann::json metrics) {
   for (const char* key : {"engine", "wall_time_s", "real_time_factor", "time_split"}) metrics.erase(key);
   return metrics;
 }
 
-/// The first line in which two texts differ, empty when they are the same: the texts are too long to print.
+/// The first line in which two texts differ; empty if they are equal. The texts are too long to print.
 std::string first_difference(const std::string& one, const std::string& other) {
   std::istringstream ones{one};
   std::istringstream others{other};

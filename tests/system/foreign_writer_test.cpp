@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The real world server, and writers that are not of our bus, as those of another make.
+// The real world server and writers that are not of our bus, such as those of another vendor.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ class ForeignAgent {
   ForeignAgent& operator=(const ForeignAgent&) = delete;
 
   void write(msg::RobotCommand command) { writer_->write(&command); }
-  /// The participant stays.
+  /// Deletes the writer; the participant stays.
   void delete_writer() { publisher_->delete_datawriter(writer_); }
 
  private:
@@ -56,7 +56,7 @@ class ForeignAgent {
 
 class ForeignWriter : public ::testing::Test {
  protected:
-  // Found over UDP, by all that follow the standard.
+  // UDP, where every standard implementation finds the world.
   runtime::DomainLock lock_{std::nullopt};
   ScratchFolder folder_;
   Process world_{{"world_server", "--scenario", scenario("small.toml"), "--domain",

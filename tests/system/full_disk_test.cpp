@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs whose disk is full: a small one of their own, in a mount namespace.
+// Runs on a full disk: a small file system in a mount namespace.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -25,8 +25,8 @@ constexpr const char* kFull = "No space left on device";
 
 class FullDisk : public ::testing::Test {
  protected:
-  /// `before` a command: it sees a disk of this size where disk() is, and what is on it at the end is copied
-  /// to kept(), for the namespace ends with the command.
+  /// The words that run a command with a file system of this size mounted at disk(). `before` enters the
+  /// namespace. Since the namespace ends with the command, the files are then copied to kept().
   [[nodiscard]] std::vector<std::string> with_disk(const std::vector<std::string>& before,
                                                    const std::string& size) const {
     std::vector<std::string> line = before;
@@ -54,7 +54,7 @@ class FullDisk : public ::testing::Test {
     }
     GTEST_SKIP() << "no disk of its own can be made here: " << refusal_;
   }
-  /// Runs `caravan run` with its results on a disk of this size. @return its exit code
+  /// Runs `caravan run` with its results on a file system of this size. @return its exit code
   std::optional<int> run(const std::string& size, const std::vector<std::string>& options) {
     std::vector<std::string> line = with_disk(before_, size);
     line.insert(line.end(), {std::string{CARAVAN_BIN_DIR} + "/caravan", "run", scenario("small.toml"),
@@ -71,7 +71,7 @@ class FullDisk : public ::testing::Test {
   [[nodiscard]] std::string kept(const std::string& name) const {
     return read_file(folder_.path() / "kept/out" / name);
   }
-  /// A reader finds a header and whole rows.
+  /// Expects a header and whole rows.
   void expect_whole_rows(const std::string& name) const {
     SCOPED_TRACE(name);
     std::istringstream rows{kept(name)};
@@ -96,8 +96,8 @@ class FullDisk : public ::testing::Test {
   std::vector<std::string> before_;
   std::string refusal_;
   std::string said_;
-  /// Below those that a run is given when it names none. A shell stands between the test and the run, so the
-  /// run could not take a domain that is held here.
+  /// Below the domains that a run chooses from. The test cannot hold a lock on it: a shell stands between the
+  /// test and the run, so the run could not take over the domain.
   std::uint32_t domain_ = 1 + static_cast<std::uint32_t>(getpid()) % 99;
   std::string kept_reason_ = kFull;
 };
@@ -118,7 +118,7 @@ TEST_F(FullDisk, EndsARunOfTheEmbeddedEngineInTheSameWay) {
   expect_a_readable_record();
 }
 
-/// World and radio write the trace, each its own part; whoever cannot ends, and the run with it.
+/// World and radio each write a part of the trace. A process that cannot write ends, and the run with it.
 TEST_F(FullDisk, EndsARunWhoseTraceCannotGoOnAndTheTraceCanBeRead) {
   std::vector<std::string> options;
   options.emplace_back("--trace");
@@ -142,10 +142,10 @@ TEST_F(FullDisk, RefusesToStartWhereThereIsNoRoomAtAll) {
   }
 }
 
-/// Only a trace finds no room: a limit on the size of files, which the trace reaches long before the rest.
+/// Only the trace cannot be written: it reaches the limit on the size of files long before the other files.
 class FullTrace : public ::testing::Test {
  protected:
-  /// Whoever writes too much is told so instead of killed.
+  /// SIGXFSZ is ignored, so that a write beyond the limit fails instead of killing the process.
   [[nodiscard]] std::vector<std::string> run(const std::string& before,
                                              const std::vector<std::string>& options) const {
     std::vector<std::string> line{"/bin/sh",
@@ -179,7 +179,7 @@ TEST_F(FullTrace, EndsAnEmbeddedRun) {
   EXPECT_THAT(caravan.output(), HasSubstr(failure()));
 }
 
-/// The world could go on without its radio, but the trace would be half of one.
+/// The world could continue without its radio, but half of the trace would be missing.
 TEST_F(FullTrace, OfTheRadioEndsTheRun) {
   const runtime::DomainLock lock{std::nullopt};
   PatientProcess caravan{run("", {"--domain", std::to_string(lock.domain())}), folder_ / "caravan.log"};

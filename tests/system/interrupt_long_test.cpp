@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C in the launcher, very often.
+// Ctrl-C in the launcher, many times.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>

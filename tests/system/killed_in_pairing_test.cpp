@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A robot's process is killed in each phase of pairing and exchange: what it has just sent tells the phase.
+// The agent of a robot is killed in each phase of pairing and exchange. The frame that was sent last
+// identifies the phase.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,9 +17,9 @@ using deploy::Seen;
 
 struct Phase {
   const char* name;
-  const char* frame;            ///< which has been sent in the newest step
-  bool is_secondary;            ///< by the one with the lower id
-  bool kills_receiver = false;  ///< who stands and waits for it, not the one that has sent it
+  const char* frame;            ///< sent in the newest step
+  bool is_secondary;            ///< its sender has the lower id
+  bool kills_receiver = false;  ///< kill the robot that stands and waits for it, not its sender
 
   friend std::ostream& operator<<(std::ostream& out, const Phase& one) { return out << one.name; }
 };
@@ -28,7 +29,7 @@ struct Pair {
   std::uint32_t partner = 0;
 };
 
-/// Whom the robot has sent this frame to: `ACCEPT_4-2`.
+/// The robot to which `robot` has sent this frame: 2 for `ACCEPT_4-2`.
 std::optional<std::uint32_t> receiver_of(const std::string& sent, const std::string& frame,
                                          std::uint32_t robot) {
   std::istringstream frames{sent};
@@ -54,7 +55,7 @@ class KilledInPairing : public Faults, public ::testing::WithParamInterface<Phas
     }
     return std::nullopt;
   }
-  /// Steps to the first step of the phase, whoever it is.
+  /// Steps until any pair of robots is in the phase.
   Pair step_to_the_phase() {
     EXPECT_TRUE(does("pause"));
     EXPECT_TRUE(happens("it is paused", "state is paused"));
@@ -82,9 +83,9 @@ TEST_P(KilledInPairing, IsNoticedFreesItsPartnerAndComesBackWithoutItsPath) {
                       "activity " + partner + " is not exchanging and member " + partner + " is yes"));
   EXPECT_TRUE(goes_on());
 
-  // It keeps nothing. The world is held meanwhile, so that the first that it says of itself stands; and it is
-  // put where it does not see the destination, with some steps for the frames of the old place to be
-  // replaced.
+  // The new agent has kept nothing. The world is held while it starts, so that its first report stays
+  // visible. Its robot is put where it does not see the destination; a few steps replace the frames of the
+  // old place.
   ASSERT_TRUE(does("pause"));
   ASSERT_TRUE(does("teleport " + std::to_string(pair.killed) + " 4.5 4.5"));
   ASSERT_TRUE(does("step 8"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processes that are killed, and started again.
+// Processes that are killed and started again.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ TEST_F(Killed, ARunThatLostAllItsAgentsGoesOnWithNewOnes) {
   start_all_busy();
   ASSERT_TRUE(does("kill robots"));
   EXPECT_TRUE(happens("all are missed", "members is 0"));
-  // The world is held behind the step that has lost everybody, so that its new member is seen.
+  // The world is held after the step that lost all agents, so that its new member is seen.
   ASSERT_TRUE(does("pause at " + std::to_string(seen().step + 1)));
   ASSERT_TRUE(does("start robot 1"));
   ASSERT_TRUE(happens("the first to answer is told to be its member", "member 1 is yes and members is 1"));

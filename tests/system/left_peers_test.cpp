@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Peers that leave in every way: those that stay pay nothing for them but memory.
+// Peers that leave in every way cost those that stay nothing but memory.
 //
-// What a resident costs is its processor time. A storm of vain attempts to read what a peer has left takes
-// whatever the machine has to give, up to a core; an idle resident takes less than a hundredth.
+// The cost of a resident is its processor time. Endless futile attempts to read what a peer has left would
+// take up to a whole core; an idle resident takes less than a hundredth of one.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -32,8 +32,8 @@ namespace {
 namespace msg = caravan_interfaces::msg;
 using namespace std::chrono_literals;
 
-/// A participant in a process of its own; it writes "+" to a pipe for each other that it has found, "-" for
-/// each that has gone.
+/// A participant in a process of its own. It writes "+" to a pipe for each other participant that it finds,
+/// and "-" for each that leaves.
 class Peer {
  public:
   explicit Peer(std::uint32_t domain, double lease_s = 5.0) {
@@ -51,7 +51,7 @@ class Peer {
 
   [[nodiscard]] pid_t pid() const { return pid_; }
   void signal(int number) const { ::kill(pid_, number); }
-  /// Ends it and waits for that.
+  /// Ends the process and waits for its end.
   void kill(int number) {
     if (pid_ <= 0) return;
     ::kill(pid_, number);
@@ -59,7 +59,7 @@ class Peer {
     waitpid(pid_, nullptr, 0);
     pid_ = -1;
   }
-  /// Waits until it has found another one.
+  /// Waits until it has found another participant.
   void await_other() {
     char one = 0;
     while (one != '+') {
@@ -68,7 +68,7 @@ class Peer {
       ASSERT_EQ(read(pipe_[0], &one, 1), 1) << "it has died";
     }
   }
-  /// Forgets whom it has found so far.
+  /// Forgets the participants found so far.
   void forget_others() const {
     const int flags = fcntl(pipe_[0], F_GETFL);
     fcntl(pipe_[0], F_SETFL, flags | O_NONBLOCK);
@@ -124,12 +124,12 @@ class LeftPeers : public ::testing::Test {
     EXPECT_LT(load_of(resident), kMostLoad);
     resident.forget_others();
     const Peer newcomer{domain_};
-    resident.await_other();  // it lives, and its port is read
+    resident.await_other();  // it is alive and reads its port
   }
   /// Processor time of the resident per wall time, over some seconds.
   [[nodiscard]] static double load_of(const Peer& resident) {
     constexpr auto kWatched = 4s;
-    std::this_thread::sleep_for(500ms);  // what is owed to the peer's going is done
+    std::this_thread::sleep_for(500ms);  // the work that the peer's end causes is done by then
     const auto before = resident.cpu_time();
     std::this_thread::sleep_for(kWatched);
     const std::chrono::duration<double> used = resident.cpu_time() - before;
@@ -144,12 +144,12 @@ class LeftPeers : public ::testing::Test {
   const std::uint32_t domain_ = lock_.domain();
 };
 
-/// How a peer comes and goes.
+/// How a peer joins and leaves.
 struct Way {
   const char* name;
-  bool resident_is_suspended;  // while it goes
+  bool resident_is_suspended;  // while the peer leaves
   bool comes_meanwhile;
-  int goes;  // by this signal
+  int goes;  // the signal that ends it
 };
 
 class LeftPeersInEveryWay : public LeftPeers, public ::testing::WithParamInterface<Way> {};
@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Way{"ComeAndKilledWhileTheResidentIsSuspended", true, true, SIGKILL}),
     [](const auto& way) { return std::string{way.param.name}; });
 
-// Its place is still there when the resident looks for peers, its port is not.
+// When the resident looks for peers, the place of this peer still exists, but its port does not.
 TEST_F(LeftPeers, CostNothingWhenTheyGoInTheMomentInWhichTheResidentStarts) {
   auto place = std::make_unique<runtime::Place>(domain_);
   Peer resident{domain_};

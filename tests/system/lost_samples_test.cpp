@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two participants in lockstep over a transport that loses packets on purpose: reliability must repair it
-// soon.
+// Two participants in lockstep over a transport that drops packets: the reliable protocol must repair the
+// losses soon.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace rtps = runtime::rtps;
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-/// UDP on 127.0.0.1 that drops every n-th packet once it is told to.
+/// UDP on 127.0.0.1 that drops every n-th packet after `drop_every` is set.
 struct LossyDescriptor : rtps::ChainingTransportDescriptor {
   LossyDescriptor() : ChainingTransportDescriptor(runtime::loopback_udp()) {}
   [[nodiscard]] rtps::TransportInterface* create_transport() const override;
@@ -75,7 +75,7 @@ TEST(LostSamples, HoldUpTheLockstepForLessThanHalfASecond) {
     commands.write(command);
   });
   std::promise<void> finished;
-  std::vector<Clock::duration> rounds;  // touched by the receiving thread until `finished`
+  std::vector<Clock::duration> rounds;  // used by the receiving thread until `finished`
   Clock::time_point began;
   const auto send = [&](std::size_t round) {
     msg::SensorFrame frame;
@@ -87,7 +87,7 @@ TEST(LostSamples, HoldUpTheLockstepForLessThanHalfASecond) {
       idl::kCommand, 1, [&](const msg::RobotCommand& command, const auto&) {
         if (idl::to_time(command.stamp()) != std::chrono::milliseconds{rounds.size()}) return;
         rounds.push_back(Clock::now() - began);
-        if (rounds.size() == 1) *lossy->drop_every = 8;  // from now on: discovery is not what is tested
+        if (rounds.size() == 1) *lossy->drop_every = 8;  // only now: the test is not about discovery
         if (rounds.size() == kRounds) return finished.set_value();
         send(rounds.size());
       });
@@ -102,8 +102,8 @@ TEST(LostSamples, HoldUpTheLockstepForLessThanHalfASecond) {
   std::copy_if(rounds.begin() + 1, rounds.end(), std::back_inserter(held_up),
                [](Clock::duration one) { return one > 100ms; });
   ASSERT_FALSE(held_up.empty()) << *lossy->dropped << " packets were dropped and nobody noticed";
-  // The median, so that a machine that is busy elsewhere does not fail the test; the default heartbeat would
-  // make it 3 s.
+  // The median, so that other load on the machine does not fail the test. The default heartbeat would make it
+  // 3 s.
   std::nth_element(held_up.begin(), held_up.begin() + static_cast<long>(held_up.size() / 2), held_up.end());
   const auto median = held_up[held_up.size() / 2];
   EXPECT_LT(median, 500ms * slowness());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One process stays, the others are killed one after the other: whoever comes next must hear and be heard.
+// One process stays while others are killed one after the other. Each newcomer must receive and be received.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -26,7 +26,7 @@ using ::testing::Contains;
 using ::testing::EndsWith;
 using ::testing::Not;
 
-/// A process of the test's own that does something and then stays; killed when this goes out of scope.
+/// A child process that runs `body`, which does not return. The destructor kills it.
 class Child {
  public:
   template <typename Body>
@@ -52,7 +52,7 @@ class Child {
   for (;;) pause();
 }
 
-/// Like a world: says something to everybody that comes, and notes on the pipe whoever answers.
+/// Like a world: writes a sample for everyone that comes, and notes each answer on the pipe.
 void be_there(const runtime::BusConfig& config, int pipe) {
   runtime::Bus bus{config};
   auto sensors = bus.writer<msg::SensorFramePubSubType>(idl::kSensors, 1);
@@ -63,7 +63,7 @@ void be_there(const runtime::BusConfig& config, int pipe) {
   stay();
 }
 
-/// Like a robot: answers.
+/// Like a robot: answers each sample.
 void come(const runtime::BusConfig& config) {
   runtime::Bus bus{config};
   auto commands = bus.writer<msg::RobotCommandPubSubType>(idl::kCommand, 1);
@@ -74,7 +74,7 @@ void come(const runtime::BusConfig& config) {
   stay();
 }
 
-/// Somebody who stays, and what he hears.
+/// A process that stays, and what it receives.
 class Newcomers : public ::testing::Test {
  protected:
   Newcomers() { EXPECT_EQ(pipe(pipe_.data()), 0); }
@@ -85,7 +85,7 @@ class Newcomers : public ::testing::Test {
   [[nodiscard]] runtime::BusConfig config(const char* role) const {
     return {.role = role, .domain = lock_.domain(), .lease_s = lease_s_, .transport = transport_};
   }
-  /// So many come, one after the other, and are killed when they were heard.
+  /// Starts this number of newcomers, one after the other, and kills each when its answer has come.
   void come_and_go(int lives) {
     const Child resident{[&] { be_there(config("world"), pipe_[1]); }};
     const auto began = std::chrono::steady_clock::now();
@@ -114,14 +114,14 @@ class Newcomers : public ::testing::Test {
 
 TEST_F(Newcomers, AreHeardHoweverManyWereKilledBefore) {
   come_and_go(125);  // more than the 120 that a domain on UDP has room for
-  // At a port with several readers the place of a killed one fills up, and hangs those that come when DDS
-  // has looked at it.
+  // If a port had several readers, the segment of a killed one would fill up and block newcomers once DDS has
+  // looked at it.
   EXPECT_THAT(left_in_shared_memory(lock_.domain()), Not(Contains(EndsWith("_sl"))));
 }
 
 TEST_F(Newcomers, AreHeardAtOnceAndNotAtTheNextAnnouncement) {
   transport_ = runtime::Transport::kUdp;
-  lease_s_ = 1000.0;  // the next one comes after 400 s, later than anybody waits here
+  lease_s_ = 1000.0;  // the next announcement comes after 400 s, longer than the test waits
   come_and_go(12);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The launcher's observer, with the test in the place of the world and of an agent whose telemetry is late.
+// The observer of the launcher. The test takes the place of the world and of an agent whose telemetry is
+// late.
 #include "deploy/observer/observer.hpp"
 
 #include <gmock/gmock.h>
@@ -17,7 +18,7 @@ using experiment::Time;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-/// The observer of one robot, and truths of ten steps; the second and the fifth of them say that robot 1 has
+/// The observer of one robot, and the truths of ten steps. The second and the fifth of them say that robot 1
 /// reported in the step before.
 class ObserverOfOne : public ::testing::Test {
  protected:
@@ -49,7 +50,7 @@ class ObserverOfOne : public ::testing::Test {
         kPatience);
   }
 
-  /// The robots of the step's reports.
+  /// The robots whose reports belong to the step.
   [[nodiscard]] std::vector<std::uint32_t> reports_of(std::size_t step) const {
     std::vector<std::uint32_t> robots;
     for (const experiment::AgentReport& one : seen_[step].agent_reports) robots.push_back(one.robot);

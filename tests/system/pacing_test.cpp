@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs at the clock: lockstep (realtime) and never waiting (free).
+// Paced runs: lockstep in real time (realtime), and without ever waiting (free).
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -20,7 +20,7 @@ using ::testing::IsEmpty;
 
 constexpr auto kRunPatience = 40s;
 
-/// Processor time of all processes that have ended and been waited for, their children included.
+/// Processor time of all processes that have ended and been waited for, including their children.
 double ended_cpu_s() {
   rusage usage{};
   getrusage(RUSAGE_CHILDREN, &usage);
@@ -87,7 +87,8 @@ TEST_F(Pacing, WaitingForTheClockCostsNoProcessorTime) {
     return ended_cpu_s() - before_s;
   };
   const double fast_s = cpu_s("fast");
-  // The same steps; a process that looked at the clock again and again would take as long as the run.
+  // The steps are the same. A process that polled the clock would use as much processor time as the run
+  // lasts.
   EXPECT_LT(cpu_s("realtime"), fast_s + 0.5 * kSimulated_s);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The real radio emulator, with the test in the place of the world and of two agents.
+// The real radio emulator; the test takes the place of the world and of two agents.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,8 +28,9 @@ class RadioProcess : public ::testing::Test {
     }
   }
 
-  /// One step with robots 1 and 2 so far apart, robot 1 sending on `channel`, robot 2 tuned to `tuned`.
-  /// @return the robots that the radio says receive something
+  /// One step with robots 1 and 2 at this distance, robot 1 sending on `channel` and robot 2 tuned to
+  /// `tuned`.
+  /// @return the receivers that the radio names
   std::vector<std::uint32_t> receivers(double distance_m, std::uint32_t channel, std::uint32_t tuned) {
     stamp_ += 32ms;
     transmit(1, 0, {channel});

@@ -26,7 +26,7 @@ class BadScenario : public testing::Test {
     const auto code = process.wait(std::chrono::seconds{30});
     return {code, process.output()};
   }
-  /// A run must be refused with exit code 2 and one line before it makes anything; returns the line.
+  /// Expects a run to be refused with exit code 2 and one line, before it creates any file. @return the line
   std::string refusal(const std::string& scenario, const std::vector<std::string>& more = {}) {
     const fs::path out = folder_ / "out";
     std::vector<std::string> words = {"run", scenario, "--engine", "embedded", "--out", out};
@@ -37,7 +37,7 @@ class BadScenario : public testing::Test {
     EXPECT_FALSE(fs::exists(out));
     return ended.said;
   }
-  /// The small scenario with one text in it replaced must be refused with `complaint` at that line.
+  /// Expects the small scenario with one text replaced to be refused with `complaint` at that line.
   void expect_refused(const std::string& right, const std::string& wrong, const std::string& complaint) {
     std::string text = test::read_file(kSmall);
     const std::size_t place = text.find(right);

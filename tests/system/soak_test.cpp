@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's swarm for ten simulated hours on a bad radio, with processes that die at random moments.
+// The paper's swarm for ten simulated hours with a lossy radio. Processes are killed at random times.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr auto kMostWallTime = 7200s;
 constexpr double kStride_s = 60.0;  // of simulated time, some seconds of wall time
 constexpr auto kStridePatience = 300s;
 constexpr std::uint32_t kRobots = 15;
-constexpr std::uint32_t kSpared = 3;  // robots 1 to 3, and the world: what they use is compared
+constexpr std::uint32_t kSpared = 3;  // robots 1 to 3 are not killed; they and the world are measured
 
 constexpr const char* kChanges = R"(
 radio.loss_probability = 0.2
@@ -31,7 +31,7 @@ experiment.max_time_s = 40000.0
 experiment.on_hung = "wait"
 )";
 
-/// What a process has used at one moment.
+/// The resources that a process uses at one time.
 struct Use {
   double time_s = 0.0;
   double memory_mb = 0.0;
@@ -42,7 +42,7 @@ class Soak : public PatientDeployment {
  protected:
   void SetUp() override { std::printf("seed %llu\n", static_cast<unsigned long long>(kSeed)); }
 
-  /// Lets the run go on until this simulated time. A run that stands still fails within minutes.
+  /// Waits until the run has reached this simulated time. Fails within minutes when the run stands still.
   [[nodiscard]] bool reaches(double time_s) {
     for (double next_s = seen().time_s; next_s < time_s;) {
       next_s = std::min(next_s + kStride_s, time_s);
@@ -56,7 +56,7 @@ class Soak : public PatientDeployment {
     return true;
   }
 
-  /// Kills one to three robots, or the radio, and starts them again a little later.
+  /// Kills one to three robots, or the radio, and starts them again later.
   void kill_and_replace() {
     std::set<std::uint32_t> robots;
     const auto count = static_cast<std::size_t>(random_.uniform(1.0, 4.0));
@@ -90,7 +90,7 @@ class Soak : public PatientDeployment {
     std::fflush(stdout);
   }
 
-  /// The last hour against the first two: what is needed is there by then.
+  /// Compares the last hour with the first two. By then every process has allocated what it needs.
   void expect_flat() const {
     for (const auto& [name, uses] : uses_) {
       SCOPED_TRACE(name);
@@ -112,12 +112,12 @@ class Soak : public PatientDeployment {
   }
 
   static constexpr double kMayGrow_mb = 1.0;
-  static constexpr double kLeftByTheDead_mb = 0.12;  // of shared memory, by each; docs/faults.md
+  static constexpr double kLeftByTheDead_mb = 0.12;  // left in shared memory by each; docs/faults.md
   const std::chrono::steady_clock::time_point deadline_ = std::chrono::steady_clock::now() + kMostWallTime;
   pure::Random random_{kSeed};
   std::map<std::string, std::vector<Use>> uses_;
   int kills_ = 0;
-  double killed_ = 0.0;  // processes
+  double killed_ = 0.0;  // number of processes
 };
 
 TEST_F(Soak, TenHoursOnABadRadioWithDyingProcesses) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run of the command that stands still: it says what it waits for.
+// A run that stands still reports what it waits for.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -41,7 +41,7 @@ class StandingStill : public ::testing::Test {
     EXPECT_THAT(processes_in(lock_.domain()), IsEmpty());
     EXPECT_THAT(left_in_shared_memory(lock_.domain()), IsEmpty());
   }
-  /// Whether more is recorded than now.
+  /// Whether the records grow from now on.
   [[nodiscard]] bool goes_on() const {
     const auto rows = [this] {
       const std::string text = read_file(folder_ / "out/tracks.csv");
@@ -72,7 +72,7 @@ class StandingStill : public ::testing::Test {
 TEST_F(StandingStill, APausedRunSaysSoAndOneWhoseAgentsAreSuspendedNamesThem) {
   ask({"pause"});
   EXPECT_TRUE(launcher_.prints("the run is paused", kPatience)) << launcher_.output();
-  send_all_agents(SIGSTOP);  // while they wait: none of them holds a lock
+  send_all_agents(SIGSTOP);  // while they wait, so that none of them holds a lock
   ask({"resume"});
   EXPECT_TRUE(launcher_.prints("robot 1, robot 2, robot 3, robot 4 ", kPatience)) << launcher_.output();
   EXPECT_TRUE(launcher_.prints("no other robot is left", kPatience)) << launcher_.output();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processes and robots that come late, early, one by one or all at once, and robots that are taken out.
+// Processes and robots that start late, early, one by one or all at once, and robots that are removed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using Started = Faults;
 
-/// Whose start waits as long as it takes on a busy machine.
+/// A start that waits as long as it takes on a busy machine.
 constexpr const char* kPatientStart = "experiment.start_timeout_s = 3600";
 
 TEST_F(Started, WithoutARadioTheSwarmStartsAloneAndARadioMayComeLate) {
@@ -47,7 +47,7 @@ TEST_F(Started, AgentsMayComeOneByOneAndTheWorldSaysWhoIsMissing) {
   EXPECT_TRUE(happens("it starts", "step > 50 and members is 4 and disturbed is no"));
 }
 
-// They send nothing but announcements then.
+// Waiting robots send nothing but announcements.
 TEST_F(Started, RobotsThatWaitForAnotherAreNotLost) {
   const std::chrono::duration<double> three_leases{3.0 * short_lease_s()};
   start_busy(kPatientStart);

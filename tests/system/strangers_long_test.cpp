@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Half an hour of strangers beside runs of the paper's experiment: the same digest each time.
+// Half an hour of runs of the paper's experiment with strangers in their domain: the digest is always the
+// same.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A run with strangers in its domain, that write forged and spoiled samples on every topic: it ends as if
-// they were not there, and says that they were.
+// A run with strangers in its domain that write forged and corrupted samples on every topic. It gives the
+// result that it gives without them, and reports them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ constexpr std::chrono::milliseconds kRunPatience{150'000};
 
 class Strangers : public ::testing::Test {
  protected:
-  /// A run of small.toml with a rogue of each role beside it.
+  /// Runs small.toml beside one rogue for each of `roles`.
   nlohmann::json run_beside(const std::vector<std::string>& roles, std::vector<std::string> options = {}) {
     std::vector<std::string> line{"caravan",       "run",      scenario("small.toml"),        "--out",
                                   folder_ / "out", "--domain", std::to_string(lock_.domain())};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Processes that live but do nothing for a while, or hang.
+// Processes that are alive but suspended for a while, or hung.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ TEST_F(Suspended, AWorldSuspendedForLessThanItsLeaseGoesOn) {
 }
 
 TEST_F(Suspended, AHungAgentIsNamedAndWaitedFor) {
-  start_all_busy("experiment.on_hung = \"wait\"\n", 60.0);  // nobody is gone within a minute: it hangs
+  start_all_busy("experiment.on_hung = \"wait\"\n", 60.0);  // hung, not gone: the lease is a minute
   suspend_at_rest("robot 3");
   EXPECT_TRUE(happens("it is named", "hung has \"robot 3\" and gone is none"));
   const std::uint64_t step = seen().step;

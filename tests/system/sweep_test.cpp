@@ -41,7 +41,7 @@ std::size_t count_in(const fs::path& out, const std::string& state) {
   return count;
 }
 
-/// The living process that writes to this folder of a run, 0 when there is none.
+/// The running process that writes to this folder; 0 if there is none.
 pid_t runner_of(const fs::path& folder) {
   const std::string wanted = std::string{"--out"} + '\0' + folder.string() + '\0';
   for (const auto& entry : fs::directory_iterator{"/proc"}) {
@@ -114,7 +114,7 @@ TEST(Sweep, ThatIsToldToStopTogetherWithItsRunsTakesNoneAsFailed) {
   const pid_t runner = runner_of(out / "none" / "seed_1");
   ASSERT_GT(runner, 0);
 
-  kill(runner, SIGTERM);  // as a batch system does, in any order
+  kill(runner, SIGTERM);  // as a batch system does, which signals all processes in any order
   process.signal(SIGTERM);
 
   EXPECT_EQ(process.wait(kPatience), 130);
@@ -144,7 +144,7 @@ TEST(Sweep, TasksDoOneRunEachAndALaterCallCollectsThem) {
   EXPECT_EQ(read_file(tasks / "sweep.json"), read_file(whole / "sweep.json"));
 }
 
-/// Runs, and is not only waiting to be collected by its parent.
+/// Whether the process runs, that is, exists and is not a zombie.
 bool is_at_work(pid_t process) {
   std::ifstream file{"/proc/" + std::to_string(process) + "/stat"};
   std::string number;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A DDS domain in which a run is: nobody else gets it, of whatever user.
+// A DDS domain that a run holds is refused to everyone else, whichever user they are.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -45,7 +45,7 @@ class TakenDomain : public ::testing::Test {
     return {code, process.output()};
   }
   static std::string caravan() { return std::string{CARAVAN_BIN_DIR} + "/caravan"; }
-  /// The words as somebody else would say them.
+  /// The command run by another user.
   static std::vector<std::string> as_nobody(std::vector<std::string> words) {
     words.insert(words.begin(), {"/usr/bin/setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"});
     return words;
@@ -100,10 +100,10 @@ TEST_F(TakenDomain, OfAnotherUserIsToldToBeThatUsers) {
   EXPECT_FALSE(std::filesystem::exists("/tmp/nobodys"));
 }
 
-/// In a network namespace of their own, where nobody else's locks count.
+/// The two worlds run in their own network namespace, where locks held outside do not count.
 TEST(WorldByHand, HoldsItsDomainAgainstAnotherWorld) {
   const ScratchFolder folder;
-  const runtime::DomainLock lock{std::nullopt};  // outside of it
+  const runtime::DomainLock lock{std::nullopt};  // held outside that namespace
   const std::uint32_t domain = lock.domain();
   const std::string world = std::string{CARAVAN_BIN_DIR} + "/world_server --domain " +
                             std::to_string(domain) + " --scenario " + scenario("small.toml").string();

@@ -31,7 +31,7 @@ class Traces : public testing::Test {
     Process process{words(engine, out, more), folder_ / "run.log"};
     ASSERT_EQ(process.wait(kPatience), 0) << process.output();
   }
-  /// What `caravan diff` says of two runs.
+  /// The output of `caravan diff` for two runs.
   [[nodiscard]] std::string diff(const fs::path& one, const fs::path& other, int code) const {
     Process process{{"caravan", "diff", one, other}, folder_ / "diff.log"};
     EXPECT_EQ(process.wait(kPatience), code);
@@ -67,8 +67,8 @@ TEST_F(Traces, NameTheFirstStepRobotAndQuantityThatDiffer) {
   const fs::path other = folder_ / "other";
   run("embedded", one, {"--max-time", "10"});
   fs::copy(one, other, fs::copy_options::recursive);
-  // The lowest bit of robot 3's y after step 100: 8 bytes of number, 32 of command for each of 4 robots, 24
-  // of pose for each before it.
+  // Flips the lowest bit of robot 3's y after step 100. A record has 4 bytes of length, 8 of step number, 32
+  // of command for each of 4 robots, and 24 of pose for each.
   std::string trace = read_file(other / "trace" / "world.trace");
   const std::size_t record = 4 + 8 + 4 * 56;
   trace[trace.find('\n') + 1 + 99 * record + 4 + 8 + 4 * 32 + 2 * 24 + 8] ^= 1;
@@ -104,7 +104,7 @@ TEST_F(Traces, OfAKilledRunAreReadUpToTheirLastWholeStep) {
       const auto size = fs::file_size(killed / "trace" / name, error);
       return !error && size > fs::file_size(whole / "trace" / name);
     };
-    // Each file is written out by its own clock.
+    // Each file is flushed at its own times.
     ASSERT_TRUE(
         test::eventually([&] { return is_longer("world.trace") && is_longer("radio.trace"); }, kPatience));
     process.signal(SIGKILL);

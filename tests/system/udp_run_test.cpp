@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs over UDP: complete, and nothing leaves the machine.
+// Runs over UDP complete, and send nothing off the machine.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ using ::testing::Each;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-/// Inodes of the process's sockets.
+/// Inodes of the sockets of a process.
 std::set<std::string> sockets_of(pid_t pid) {
   std::set<std::string> inodes;
   std::error_code error;
@@ -31,7 +31,7 @@ std::set<std::string> sockets_of(pid_t pid) {
   return inodes;
 }
 
-/// Local addresses of these of the machine's UDP sockets, as the kernel writes them.
+/// Local addresses of the UDP sockets among these inodes, in the notation of /proc/net.
 std::vector<std::string> udp_addresses(const std::set<std::string>& inodes) {
   std::vector<std::string> addresses;
   for (const char* table : {"/proc/net/udp", "/proc/net/udp6"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The real world server, with the test in the place of its agents and its radio.
+// The real world server; the test takes the place of its agents and its radio.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Robots, on a participant of their own: answers every sensor frame with a command of the test's choice.
+/// Agents on one participant: answer every sensor frame with a command of the test's choice.
 class PlayedFleet {
  public:
   using Choose = std::function<std::pair<double, double>(std::uint32_t robot)>;
@@ -51,7 +51,7 @@ class PlayedFleet {
   runtime::Bus bus_;  // last, so that no callback outlives the rest
 };
 
-/// A robot that takes a hundred steps of a world at full speed for each answer, and answers only the newest
+/// An agent that answers 100 ms late, about a hundred steps of a world at full speed, and only the newest
 /// frame.
 class SlowRobot {
  public:
@@ -89,7 +89,7 @@ class SlowRobot {
   std::jthread thread_;  // last, so that it ends first
 };
 
-/// A radio, on a participant of its own, that hears nothing.
+/// A radio on its own participant that delivers nothing.
 class PlayedRadio {
  public:
   explicit PlayedRadio(runtime::BusConfig bus) : bus_{(bus.role = "radio_emulator", bus)} {
@@ -118,7 +118,7 @@ class WorldProcess : public ::testing::Test {
   Process world_{world(), folder_ / "world.log"};
   const runtime::BusConfig config_{.role = "test",
                                    .domain = lock_.domain(),
-                                   .lease_s = 60.0};  // nobody is to be lost for want of processor time
+                                   .lease_s = 60.0};  // no process may be lost for lack of processor time
   PlayedRadio radio_{config_};
   Collector<msg::WorldStatusPubSubType> statuses_{config_, idl::kWorldStatus};
   Collector<msg::WorldTruthPubSubType> truths_{config_, idl::kTruth};
@@ -203,7 +203,7 @@ TEST_F(WorldProcess, NamesARobotThatLivesButDoesNotAnswer) {
   msg::RobotCommand command;
   command.stamp(first->stamp());
   command.session(first->session());
-  commands.write(command);  // joins, then says nothing more
+  commands.write(command);  // joins, then sends nothing more
   EXPECT_TRUE(statuses_.first([](const msg::WorldStatus& one) {
     return one.hung() == std::vector<std::string>{"robot 4"} && one.gone().empty();
   })) << world_.output();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the bridge does not believe, whom it does not share a line with, and what it says of an address; with
-// processes and real bytes. Times are shown in tests/unit/bridge.
+// The checks of the bridge on positions, lines and addresses, with real processes and real bytes. The tests
+// of its reaction times are in tests/unit/bridge.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
@@ -32,7 +32,7 @@ class BridgeLine : public Field {
     cable_.emplace(robot_.port);
     gps_cable_.emplace(robot_.gps_port);
   }
-  /// In a circle, behind a bridge.
+  /// Starts a bridge on `port` and drives the robot in a circle.
   void drive_by(const std::string& port) {
     agent_.emplace(bus(), 1, drives(0.15, 0.35));
     bridge_ = start_bridge(port, tcp(gps_cable_->port()));
@@ -45,7 +45,7 @@ class BridgeLine : public Field {
   [[nodiscard]] std::unique_ptr<Process> start_bridge(const std::string& port, const std::string& gps) const {
     return start("pioneer_bridge", {"--robot", "1", "--port", port, "--gps", gps});
   }
-  /// Starts a bridge that must refuse; what it says.
+  /// Starts a bridge that must refuse to start. @return its output
   [[nodiscard]] std::string refused(const std::string& port, const std::string& gps) const {
     auto bridge = start_bridge(port, gps);
     EXPECT_EQ(bridge->wait(kPatience), 2) << bridge->output();
@@ -61,7 +61,7 @@ class BridgeLine : public Field {
   std::unique_ptr<Process> bridge_;
 };
 
-/// The same position, in latitude 01, with a right checksum.
+/// The same sentences with the latitude 48 changed to 01 and with correct checksums.
 std::vector<std::uint8_t> in_the_south(const std::vector<std::uint8_t>& bytes) {
   std::string text{bytes.begin(), bytes.end()};
   for (std::size_t at = 0; (at = text.find(",48", at)) != std::string::npos; ++at) {
@@ -140,7 +140,7 @@ TEST_F(BridgeLine, ATerminalIsNotSharedWithAnotherBridgeEither) {
   EXPECT_TRUE(truth_.drives(1)) << bridge_->output();
 }
 
-// Root may open it all the same, but for root in a namespace of users of its own.
+// Root may open the terminal regardless, except as root of its own user namespace.
 TEST_F(BridgeLine, ATerminalIsNotOpenedByOtherPrograms) {
   if (const std::string reason = no_terminals_because(); !reason.empty()) {
     GTEST_SKIP() << "no pseudo-terminals here: " << reason;
@@ -191,7 +191,7 @@ TEST_F(Addresses, ThatAreNoSerialLineAreRefused) {
   EXPECT_TRUE(bridge->prints("No such file or directory, trying again", kPatience)) << bridge->output();
 }
 
-/// A port whose queue is full: the kernel drops who comes.
+/// The accept queue of the port is full, so the kernel drops new connections.
 TEST_F(Addresses, ThatDropConnectionsAreToldWithinSeconds) {
   const Socket listener{socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
   sockaddr_in address{};

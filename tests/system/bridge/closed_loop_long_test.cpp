@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The small scenario with Pioneers: two robots behind a bridge each, two served by the world itself.
+// The small scenario with Pioneers: two robots each have a bridge, the world itself serves the other two.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// deploy/scenarios/small.toml in the pace of a clock, with the speed and the patience that real robots need.
+/// deploy/scenarios/small.toml in real time, with the speed and the gripper patience of real robots.
 std::string small_field() {
   std::string text = read_file(std::filesystem::path{CARAVAN_SOURCE_DIR} / "deploy/scenarios/small.toml");
   text = replaced(text, "mode = \"full\"",

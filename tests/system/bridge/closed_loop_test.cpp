@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The agent as it is, a bridge, a Pioneer's bytes on TCP, an emulated Pioneer, the world: and back.
+// The whole loop: an unchanged agent, a bridge, the bytes of a Pioneer over TCP, an emulated Pioneer, and the
+// world.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

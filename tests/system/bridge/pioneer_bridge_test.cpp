@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The bridge to a Pioneer, with the emulated one at the other end of a cable that the test holds in its
-// hands. What is claimed in milliseconds is shown in tests/unit/bridge; here is that it is so with processes
-// and real bytes.
+// The bridge to a Pioneer, with an emulated Pioneer at the other end of a cable that the test controls.
+// tests/unit/bridge tests the limits in milliseconds; these tests show that real processes and real bytes
+// behave alike.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -34,13 +34,13 @@ class PioneerBridge : public Field {
   void start_bridge(const std::string& port) {
     bridge_ = start("pioneer_bridge", {"--robot", "1", "--port", port, "--gps", tcp(gps_cable_->port())});
   }
-  /// With an agent that drives in a circle.
+  /// Starts a bridge and an agent that drives in a circle.
   void drive(const std::string& port) {
     agent_.emplace(bus(), 1, drives(0.15, 0.35));
     start_bridge(port);
     ASSERT_TRUE(truth_.drives(1)) << bridge_->output() << robot_.process->output();
   }
-  /// After something was done to it: the robot rests, and how long that took is printed.
+  /// Expects the robot to come to rest after a fault at `since`, and prints how long that took.
   void expect_rest(std::chrono::nanoseconds since) {
     EXPECT_TRUE(truth_.rests(1)) << bridge_->output();
     std::cout << "wheels at rest after " << std::chrono::duration<double>(truth_.rest_after(1, since)).count()
@@ -57,8 +57,8 @@ class PioneerBridge : public Field {
   std::unique_ptr<Process> bridge_;
 };
 
-/// As delivered a Pioneer is stopped by its watchdog after 2 s: too late to be of use, but it never hides
-/// that the bridge did not stop it either.
+/// With the watchdog at 0.3 s, as docs/bring_your_robot.md asks. As delivered it stops a Pioneer after 2 s,
+/// which is too late in the field.
 class PioneerBridgeWithQuickWatchdog : public PioneerBridge {
  protected:
   PioneerBridgeWithQuickWatchdog() { scenario_ += "watchdog_s = 0.3\n"; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two robots' radio topics behind modems: that share an air by UDP on this machine, or on serial ports.
+// The radio topics of two robots, each behind a modem. The modems reach each other by UDP on this machine or
+// by serial ports.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
@@ -20,7 +21,7 @@ namespace msg = caravan_interfaces::msg;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 
-/// A UDP port that nobody has now.
+/// A UDP port that is free at the moment.
 std::uint16_t free_udp_port() {
   const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   sockaddr_in address{};
@@ -49,7 +50,7 @@ msg::RadioTransmit transmission(std::uint32_t tuned, std::uint32_t channel, std:
 
 class RadioModemProcess : public Field {
  protected:
-  /// A modem for each of two robots.
+  /// Starts a modem for each of two robots.
   void start_modems(const std::array<std::string, 2>& addresses) {
     write_file(scenario_file(), room(2, 0) + "[radio]\nmtu_bytes = 32\nchannel_count = 126\n");
     for (const std::size_t i : {0U, 1U}) {
@@ -61,8 +62,8 @@ class RadioModemProcess : public Field {
       transmits_.push_back(bus_.writer<msg::RadioTransmitPubSubType>(idl::kRadioTransmit, robot));
     }
   }
-  /// Says it again and again until robot 2 has heard such bytes. What is on the air at the wrong moment is
-  /// lost.
+  /// Sends the bytes repeatedly until robot 2 has received them: a frame that is on the air while a radio
+  /// changes its channel is lost.
   [[nodiscard]] bool robot_2_hears(const std::vector<std::uint8_t>& bytes, std::uint32_t tuned,
                                    std::uint32_t channel, std::chrono::milliseconds patience) {
     return eventually(
@@ -111,7 +112,7 @@ TEST_F(RadioModemProcess, OfTwoForOneRobotTheSecondEndsAndNamesTheFirst) {
                                          std::to_string(modems_[0]->pid())));
 }
 
-// Two serial ports joined to one another: a pair of transparent radio modules.
+// Two connected serial ports stand for a pair of transparent radio modules.
 TEST_F(RadioModemProcess, CarriesFramesBySerialPortsAlsoAfterTheyWereUnplugged) {
   if (const std::string reason = no_terminals_because(); !reason.empty()) {
     GTEST_SKIP() << "no pseudo-terminals here: " << reason;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// deploy/try_bridge as a newcomer calls it, in a tree whose build is the tests'. In a network namespace of
-// its own, in which nobody holds the domain that the test holds outside.
+// deploy/try_bridge as a newcomer calls it, in a copy of the tree that uses the programs of this build. It
+// runs in its own network namespace, so the domain that the test holds outside is free there.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -32,7 +32,7 @@ class TryBridge : public ::testing::Test {
       fs::create_directories(folder_ / part);
     fs::copy_file(source / "deploy/try_bridge", folder_ / "deploy/try_bridge");
     fs::create_directory_symlink(CARAVAN_BIN_DIR, folder_ / "build/release/bin");
-    // What it would install and build is there.
+    // The packages are installed and the programs are built already.
     write_file(folder_ / "cmake/set_up.sh",
                "install_packages() { :; }\nbuild_preset() { echo build_preset $*; }\n");
     write_file(folder_ / "deploy/scenarios/one_robot.toml",
@@ -40,7 +40,7 @@ class TryBridge : public ::testing::Test {
   }
   void TearDown() override {
     for (const pid_t process : processes_in(lock_.domain()))
-      kill(process, SIGTERM);  // of a script that failed
+      kill(process, SIGTERM);  // left by a script that failed
   }
   [[nodiscard]] static std::vector<std::string> in_namespace(const std::string& script) {
     return {

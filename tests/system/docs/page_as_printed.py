@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Does what docs/your_own_agent.md tells its reader: writes the controller that it prints, runs each command, and a scenario with the table
+"""Carries out docs/your_own_agent.md: writes the controller that it prints, runs each command, and a scenario with the table
 that it prints."""
 
 import argparse

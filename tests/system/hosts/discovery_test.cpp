@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fleets that find each other through a Discovery Server: on 127.0.0.1, and nowhere else.
+// Fleets whose processes find each other through a Discovery Server, on 127.0.0.1 only.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -21,8 +21,8 @@ std::filesystem::path profile(const std::string& name) {
   return std::filesystem::path{CARAVAN_SOURCE_DIR} / "deploy/fastdds" / name;
 }
 
-// On a machine that is so busy that a server of Fast DDS 2.9 hears nothing of a newcomer for as long as its
-// lease, it forgets what it has just learned of it, and does not ask again.
+// If a server of Fast DDS 2.9 hears nothing of a newcomer for one lease because the machine is busy, it
+// forgets what it has just learned of the newcomer and does not ask again.
 constexpr const char* kLease_s = "15";
 
 class DiscoveryServer : public ::testing::Test {
@@ -62,7 +62,7 @@ class DiscoveryServer : public ::testing::Test {
 
   ScratchFolder folder_;
   runtime::DomainLock lock_{std::nullopt};
-  // The last of the domain's ports: no participant gets that far.
+  // The last port of the domain; no participant uses it.
   const std::string port_ = std::to_string(7400 + 250 * lock_.domain() + 249);
   std::unique_ptr<PatientProcess> server_;
   std::unique_ptr<Fleet> fleet_;
@@ -95,7 +95,7 @@ TEST_F(DiscoveryServer, MayBeGoneForAWhile) {
 
   const auto down_at = std::chrono::steady_clock::now();
   kill_server();
-  // As the service unit does: longer than the lease that the server announces.
+  // Longer than the lease that the server announces, as the service unit does.
   (void)eventually([&] { return std::chrono::steady_clock::now() - down_at > 5s; }, 20s);
   EXPECT_THAT(fleet.ended(), IsEmpty());
   start_server();

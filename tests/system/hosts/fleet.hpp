@@ -16,36 +16,36 @@ namespace caravan::test {
 using Starter = std::function<std::unique_ptr<PatientProcess>(std::vector<std::string> arguments,
                                                               const std::string& log)>;
 
-/// What `caravan ctl status` says.
+/// The output of `caravan ctl status`.
 struct FleetStatus {
   bool answered = false;
   std::string state;
   std::uint64_t steps = 0;
   std::uint32_t members = 0;
   bool disturbed = false;
-  std::string gone;  ///< comma-separated, "-" when nobody is
+  std::string gone;  ///< comma-separated; "-" if none
 };
 
 [[nodiscard]] FleetStatus read_status(const std::string& text);
 
-/// The processes of one run, started by hand as in the field, and watched by `caravan ctl`. They are killed
-/// at the end: of many that say goodbye at once, Fast DDS 2.9 now and then aborts one (docs/faults.md).
+/// The processes of one run, started by hand as in the field, and observed by `caravan ctl`. They are killed
+/// at the end: when many leave at once, Fast DDS 2.9 sometimes aborts one (docs/faults.md).
 class Fleet {
  public:
-  /// @param options  that every program takes: --domain, --transport and so on
+  /// @param options  of every program: --domain, --transport and so on
   Fleet(std::string scenario, std::vector<std::string> options)
       : scenario_{std::move(scenario)}, options_{std::move(options)} {}
 
   void start(const Starter& starter, const std::string& program, const std::string& robots = "");
-  /// kill -9. @param robots as it was started with
+  /// Kills with SIGKILL. @param robots as it was started with
   void kill(const std::string& program, const std::string& robots = "");
   [[nodiscard]] PatientProcess& process(const std::string& program, const std::string& robots = "");
 
-  /// Asks until `wanted` holds or half a minute is over. @return the last answer
+  /// Asks until `wanted` holds, for `kPatience` at most. @return the last answer
   FleetStatus watch(const Starter& starter, const std::function<bool(const FleetStatus&)>& wanted);
-  /// From the world's log; empty when the run has not ended within `patience`.
+  /// The digest from the log of the world; empty if the run does not end within `patience`.
   [[nodiscard]] std::string digest(std::chrono::milliseconds patience);
-  /// Names of those that have ended.
+  /// Names and outputs of the processes that have ended.
   [[nodiscard]] std::vector<std::string> ended();
 
  private:

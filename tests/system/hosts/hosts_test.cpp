@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One run across three hosts: world; radio and 7 agents; 8 agents. Whole, and with a host cut off.
+// One run across three hosts: the world; the radio and 7 agents; 8 agents. With all hosts, and with one cut
+// off.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ class Hosts : public ::testing::Test {
     const auto lan = std::filesystem::path{CARAVAN_SOURCE_DIR} / "deploy/fastdds/lan.xml";
     write_file(folder_ / "lan.xml", replaced(read_file(lan), peer, peers));
   }
-  /// The small scenario with 15 robots and so many items.
+  /// Starts the small scenario with 15 robots and this number of items.
   Fleet& start_everybody(const std::string& items, const std::string& lease_s) {
     std::string text = replaced(read_file(scenario("small.toml")), "count = 4", "count = 15");
     text = replaced(text, "items = 4", "items = " + items);
@@ -68,7 +69,7 @@ TEST_F(Hosts, GiveTheDigestOfASingleHost) {
 
 TEST_F(Hosts, CutOffForLessThanTheLeaseOnlyPauseTheRun) {
   Fleet& fleet = start_everybody("40", "60");
-  // Not in the first step: there the world goes on without a radio that does not come within 10 s.
+  // After the first step: in the first, the world continues without a radio that does not come within 10 s.
   const FleetStatus begun = fleet.watch(on(1), [](const FleetStatus& now) { return now.steps > 1; });
   ASSERT_GT(begun.steps, 1U);
   network_.cut(3);
@@ -91,7 +92,7 @@ TEST_P(CutOff, ForLongerThanTheLeaseIsMissedAndTakenBackWhole) {
   };
   const FleetStatus without = fleet.watch(on(1), is_missed);
   EXPECT_TRUE(is_missed(without)) << without.gone;
-  // Twice the lease: on both sides of the cut it has run out, however busy the machine is.
+  // Twice the lease, so that it has run out on both sides of the cut, however busy the machine is.
   const std::chrono::duration<double> cut_for{2.0 * lease_s};
   (void)eventually([&] { return std::chrono::steady_clock::now() - cut_at > cut_for; }, 3 * kPatience);
   network_.heal(host);

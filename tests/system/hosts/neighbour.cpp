@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// neighbour DOMAIN: a DDS program that knows nothing of the project's bus and settings, as a ROS 2 node
-// would. Ends with 0 once it has heard the clock, with 1 when that takes longer than ten minutes.
+// neighbour DOMAIN: a DDS program that, like a ROS 2 node, does not use the bus and settings of this project.
+// Its exit code is 0 when it has received the clock, and 1 when it has not within ten minutes.
 #include "idl/clock_types.hpp"
 
 #include <chrono>

@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Finds the command where root and others have it.
+/// The command with a PATH that includes the folders of root's commands.
 std::vector<std::string> command(std::vector<std::string> words) {
   words.insert(words.begin(), {"/usr/bin/env", "PATH=/usr/sbin:/usr/bin:/sbin:/bin"});
   return words;

@@ -11,20 +11,19 @@
 
 namespace caravan::test {
 
-/// Hosts on a network of their own: namespaces of the kernel, joined by a bridge. Each has its own
-/// interfaces, host name and /dev/shm. Nothing in them reaches a real interface, and all is gone with this
-/// object.
+/// Hosts on a network of their own: network namespaces joined by a bridge. Each has its own interfaces, host
+/// name and /dev/shm. They reach no real interface, and the destructor removes them.
 class Network {
  public:
-  /// @param logs  folder for what setting it up says
+  /// @param logs  folder for the logs of the set-up
   Network(std::size_t hosts, std::filesystem::path logs);
 
-  /// Why the kernel does not allow it; empty: it does, and the network is there.
+  /// Why the network could not be made; empty if it was.
   [[nodiscard]] const std::string& refusal() const { return refusal_; }
-  /// @param host from 1 to the number of hosts, here and below
+  /// @param host from 1 to the number of hosts; likewise below
   [[nodiscard]] static std::string address(std::size_t host) { return "10.77.0." + std::to_string(host); }
   /// Starts one of our programs on a host.
-  /// @param arguments  the first is the program's name in the folder of binaries, or its path
+  /// @param arguments  the first is the name of the program in the folder of binaries, or its path
   [[nodiscard]] std::unique_ptr<PatientProcess> start(std::size_t host, std::vector<std::string> arguments,
                                                       const std::string& log);
   /// Takes the host's link down, or up again.
@@ -34,16 +33,16 @@ class Network {
  private:
   using Words = std::vector<std::string>;
 
-  /// A process that holds namespaces open; null, with a refusal, when it cannot.
+  /// A process that keeps namespaces open; null, with `refusal_` set, if it cannot.
   std::unique_ptr<PatientProcess> hold(const Words& before, const std::string& set_up,
                                        const std::string& log);
   [[nodiscard]] Words inside(const PatientProcess& holder, const Words& namespaces) const;
-  /// Runs a command to its end. @return whether it ended well
+  /// Runs a command and waits. @return whether it succeeded
   bool run(Words words);
   void make_hosts(std::size_t hosts);
 
   std::filesystem::path logs_;
-  bool as_user_ = false;  // in a user namespace: the test is not run by root
+  bool as_user_ = false;  // in a user namespace, since the test does not run as root
   std::string refusal_;
   std::unique_ptr<PatientProcess> middle_;  // holds the bridge
   std::vector<std::unique_ptr<PatientProcess>> hosts_;

@@ -24,7 +24,7 @@ std::filesystem::path profile(const std::string& name) {
 
 class Profile : public ::testing::Test {
  protected:
-  /// What a program says that was started with this transport; it is expected to refuse to start.
+  /// The output of a program started with this transport, which it must refuse.
   [[nodiscard]] std::string refusal(const std::string& transport) const {
     Process agent{{"robot_agent", "--scenario", scenario("small.toml"), "--robot", "1", "--domain",
                    std::to_string(lock_.domain()), "--transport", transport},
@@ -92,7 +92,8 @@ TEST_F(Profile, IsLookedAtByTheDoctor) {
   EXPECT_EQ(none.wait(30s), 2) << none.output();
 }
 
-/// A DDS program that knows nothing of ours hears the clock on another host, by the discovery of ROS 2.
+/// A DDS program that does not use our bus receives the clock on another host, with the discovery that ROS 2
+/// uses.
 TEST_F(Profile, OfRos2NeighboursIsHeardByAForeignProgramOnTheNetwork) {
   Network network{2, folder_.path()};
   if (!network.refusal().empty()) GTEST_SKIP() << "no network namespaces here: " << network.refusal();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files of deploy/systemd, and that the programs keep what they promise a service manager.
+// The unit files of deploy/systemd, and the notifications of the programs to a service manager.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// The units as they would be installed, but with the programs of this build.
+/// The units as installed, but with the programs of this build.
 class Units : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -77,7 +77,7 @@ TEST_F(Units, AllowTheProgramsLittleElseThanTheyNeed) {
   }
 }
 
-/// The test in the place of the service manager.
+/// The test in place of the service manager.
 class Service : public ::testing::Test {
  protected:
   Service() {
@@ -89,7 +89,7 @@ class Service : public ::testing::Test {
     EXPECT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
   }
   ~Service() override { close(socket_); }
-  /// As the unit does.
+  /// Starts a program as its unit does.
   [[nodiscard]] std::unique_ptr<PatientProcess> start(std::vector<std::string> line) const {
     std::vector<std::string> words{"/usr/bin/env", "NOTIFY_SOCKET=" + (folder_ / "notify").string(),
                                    "WATCHDOG_USEC=500000"};
@@ -99,7 +99,7 @@ class Service : public ::testing::Test {
                  {"--scenario", scenario("small.toml"), "--domain", std::to_string(lock_.domain())});
     return std::make_unique<PatientProcess>(words, folder_ / "service.log");
   }
-  /// The next message; empty when none comes.
+  /// The next message; empty if none comes.
   [[nodiscard]] std::string next() const {
     pollfd one{socket_, POLLIN, 0};
     if (!eventually([&] { return poll(&one, 1, 20) == 1; }, kPatience)) return "";

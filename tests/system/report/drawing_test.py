@@ -53,7 +53,7 @@ def least_difference(colours: list[str], seen: np.ndarray) -> float:
 
 class Colours(unittest.TestCase):
     def test_colour_blind_people_can_tell_them_apart(self) -> None:
-        # 2.3 is just noticeable side by side (Mahy, Van Eycken and Oosterlinck 1994); lines want far more.
+        # 2.3 is just noticeable side by side (Mahy, Van Eycken and Oosterlinck 1994); lines need far more.
         for who, seen in SEEN_BY.items():
             with self.subTest(who=who):
                 self.assertGreater(least_difference(list(style.ROBOT_COLOURS), seen), 18)

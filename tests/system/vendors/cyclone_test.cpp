@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/other_vendors.md, done as it says: a robot whose agent speaks DDS with Cyclone's library, in lockstep.
+// docs/other_vendors.md, carried out as written: a robot whose agent uses Cyclone DDS takes part in the
+// lockstep.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace {
 
 namespace msg = caravan_interfaces::msg;
 
-/// The rule of the page's agent on our own bus: whoever answers the same with it gives the same run.
+/// The rule of the page's agent on our own bus. Equal answers give equal runs.
 class SameAgent {
  public:
   explicit SameAgent(const runtime::BusConfig& config) : bus_{config} {
@@ -69,7 +70,7 @@ class Cyclone : public ::testing::Test {
       }
     }
   }
-  /// A line of the page's, as somebody types it in the folder that holds its files; in this domain.
+  /// Runs a command line of the page as if typed in the folder with its files, but in this domain.
   [[nodiscard]] std::unique_ptr<PatientProcess> typed(const std::string& line, const std::string& log) const {
     const std::string domain = std::to_string(lock_.domain());
     std::string command = std::regex_replace(line, std::regex{"(--domain|/agent) 7"}, "$1 " + domain);
@@ -85,7 +86,8 @@ class Cyclone : public ::testing::Test {
     ASSERT_EQ(built->wait(kPatience), 0) << built->output();
     ASSERT_EQ(built->output(), "") << "a compiler warns";
   }
-  /// What the world says at the end of a run with our programs and one more agent.
+  /// Runs our programs with one more agent. @return the digest that the world reports; empty if the run does
+  /// not end
   template <typename Agent>
   std::string digest_with(Agent start_agent) {
     std::istringstream lines{commands_.at("run")};

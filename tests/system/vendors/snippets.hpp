@@ -10,7 +10,7 @@ namespace caravan::test {
 /// A block of code on a page of docs/.
 struct Snippet {
   std::string language;
-  std::string file;  ///< what stands behind the language in the opening fence: its name as a file, or empty
+  std::string file;  ///< file name, which follows the language in the opening fence; may be empty
   std::string text;
 };
 

@@ -35,7 +35,7 @@ LineWorld world_of(const Config& config) {
   return world;
 }
 
-/// What a robot sensed and answered in a drive through the room.
+/// The inputs and outputs of a robot on a drive through the room.
 struct Drive {
   std::vector<Inputs> inputs;
   std::vector<Outputs> outputs;
@@ -111,8 +111,8 @@ TEST(Agent, WithoutSonarsItStops) {
   EXPECT_EQ(agent.step({0ms, blind, {}}).wheels, Wheels{});
 }
 
-/// Does the agent avoid anything while it approaches the destination, with a wall beyond that and another
-/// robot heard behind it?
+/// Whether the agent avoids anything on its approach to the destination, with a wall beyond it, when it
+/// receives the frames of another robot.
 bool gives_way(bool robots_are_solid) {
   Config config;
   config.id = RobotId{2};
@@ -151,7 +151,7 @@ TEST(Agent, SaysItIsThereInEveryStepOnTheCommonChannel) {
   }
 }
 
-/// Whether a report says more than the one before it.
+/// Whether a report contains anything new since the one before it.
 bool is_news(const Report& before, const Report& now) {
   return now.mode != before.mode || now.activity != before.activity || now.origin != before.origin ||
          now.towards_destination != before.towards_destination || now.trips != before.trips ||
@@ -229,7 +229,7 @@ TEST(AgentProperty, NoPathThatItReportsEverLeadsThroughAWallSeenOrNot) {
     SCOPED_TRACE(seed);
     pure::Random random{seed, 99};
     std::vector<test::Wall> walls;
-    for (const double x : {-1.5, 1.0}) {  // at 30 degrees and others to the straight way
+    for (const double x : {-1.5, 1.0}) {  // at various angles to the straight line
       const Point middle{x, x + random.uniform(-1.0, 1.0)};
       const Point along = 1.8 * direction(0.785 + random.uniform(0.4, 2.7));
       walls.push_back({middle - along, middle + along});

@@ -43,7 +43,7 @@ TEST(Bending, OfABentPathChangesNothing) {
   EXPECT_FALSE(bent_round(once->path, 0, places, 0.6));
 }
 
-// Any path and places: the ends stay, what lies outside the bend stays.
+// For any path and places, the ends and everything outside the bend stay as they are.
 TEST(Bending, ChangesNothingButTheBend) {
   pure::Random random{7, 7};
   for (int run = 0; run < 2000; ++run) {

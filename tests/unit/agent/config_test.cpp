@@ -66,7 +66,7 @@ struct Documented {
   }
   [[nodiscard]] bool is_list() const { return value.front() == '['; }
   [[nodiscard]] bool is_number() const { return std::isdigit(value.back()) != 0; }
-  /// Not the default, and in range.
+  /// A valid value other than the default.
   [[nodiscard]] std::string another_value() const {
     if (value == "true") return "false";
     if (value == "\"full\"") return "\"none\"";
@@ -76,7 +76,7 @@ struct Documented {
   }
 };
 
-/// The parts of a cell at the commas outside brackets.
+/// Splits a cell at the commas outside brackets.
 std::vector<std::string> parts_of(const std::string& cell) {
   std::vector<std::string> parts(1);
   int depth = 0;

@@ -174,7 +174,7 @@ TEST(Driver, ThatCannotBackOffTurns) {
   pure::Random random{1};
   bool backed = false;
   bool turned = false;
-  for (int step = 0; step < 400; ++step) {  // it never moves, whatever it does
+  for (int step = 0; step < 400; ++step) {  // the robot never moves, whatever is commanded
     Perception seen = test::look({}, {0, 0}, 0.0);
     seen.now = step * std::chrono::milliseconds{32};
     const Wheels wheels = driver.drive_to({3.0, 0.0}, seen, random).wheels;

@@ -32,7 +32,7 @@ Wheels kept(const Wheels& wanted, const Twist& now, const Perception& seen) {
   return keep_clear(wanted, now, seen, {}, {}, {}).wheels;
 }
 
-/// A robot at the origin, heading along x, beside a wall that was seen at these distances on the left.
+/// A robot at the origin, heading along x, with a wall seen at this distance on its left.
 Perception beside_a_wall(double left_m) {
   Perception seen = test::look({}, {0, 0}, 0.0);
   for (double x = -0.8; x < 0.8; x += 0.05) seen.surfaces.emplace_back(x, left_m);
@@ -41,7 +41,7 @@ Perception beside_a_wall(double left_m) {
 
 TEST(BodyDistance, IsThatBetweenTheRectangles) {
   const Body body;
-  const Pose here{{0, 0}, 0.0};  // from -0.285 to 0.2 along, 0.1905 to both sides
+  const Pose here{{0, 0}, 0.0};  // the body reaches from -0.285 to 0.2 along x and 0.1905 to each side
   EXPECT_NEAR(distance_m(here, Pose{{1.0, 0.0}, kPi}, body), 0.6, 1e-9) << "front to front";
   EXPECT_NEAR(distance_m(here, Pose{{0.0, 0.5}, 0.0}, body), 0.119, 1e-9) << "side by side";
   EXPECT_NEAR(distance_m(here, Pose{{1.0, 0.0}, 0.5 * kPi}, body), 0.6095, 1e-9) << "front to side";

@@ -8,7 +8,7 @@ namespace {
 
 const Path kArc = {{0, 0}, {1, 2}, {2, 3}, {3, 2}, {4, 0}, {6, 0}, {8, 0}};
 
-/// Moves along the route's goals until it has come to the end or `steps` are over.
+/// Moves along the goals of the route until its end is reached or `steps` have passed.
 Point drive(Route& route, Point p, int steps) {
   for (int i = 0; i < steps && (p - route.end()).norm() > 0.3; ++i) {
     (void)route.advance(p);

@@ -13,7 +13,7 @@ namespace {
 using test::look;
 using test::Wall;
 
-/// By a robot that is as it is by default.
+/// Whether a robot with default settings sees the destination, and where.
 std::optional<Point> sees(const Perception& seen, const Point& destination) {
   return sees_destination(seen, Task{.destination = destination}, {}, {});
 }

@@ -18,7 +18,7 @@ using test::Wall;
 constexpr double kPi = std::numbers::pi;
 const Refusals kNone{1.0, 0.45};
 
-/// A path in the order of travel with the lengths that go with it.
+/// A path in the order of travel, and the remaining length at each vertex.
 struct Way {
   explicit Way(Path vertices) : plan{std::move(vertices)}, to_end_m(plan.size(), 0.0) {
     for (std::size_t i = plan.size() - 1; i > 0; --i) {
@@ -36,7 +36,7 @@ Way detour() { return Way{{{0, 0}, {1, 2}, {2, 3}, {3, 2}, {4, 0}, {5, 0}, {6.5,
 TEST(Smoothing, TakesTheCandidateThatShortensTheWayMost) {
   const auto shortcut = find_shortcut(detour().from(1), look({}, {0, 0}, 0.0), {}, kNone);
   ASSERT_TRUE(shortcut);
-  EXPECT_EQ(shortcut->candidate, 4U);  // (5, 0) saves as much, but not more; (6.5, 0) is out of sight
+  EXPECT_EQ(shortcut->candidate, 4U);  // (5, 0) saves as much but not more; (6.5, 0) is out of sight
   EXPECT_NEAR(shortcut->gain_m, 2 * std::sqrt(5.0) + 2 * std::sqrt(2.0) - 4.0, 1e-9);
 }
 
@@ -49,7 +49,7 @@ TEST(Smoothing, LooksOnlyAtWhatLiesAheadInTheDirectionOfTravel) {
   Path back = detour().plan;
   std::reverse(back.begin(), back.end());
   const Way way{back};
-  // On its way back the robot at (4, 0) faces the old detour: the shortcut leads to the source.
+  // On its way back, at (4, 0), the robot faces the old detour; the shortcut leads to the source.
   const auto shortcut = find_shortcut(way.from(4), look({}, {4, 0}, kPi), {}, kNone);
   ASSERT_TRUE(shortcut);
   EXPECT_EQ(way.plan[shortcut->candidate], (Point{0, 0}));
@@ -68,7 +68,7 @@ TEST(Smoothing, AWallAcrossTheWayBlocksAndOneBehindTheCandidateDoesNot) {
 }
 
 TEST(Smoothing, AnObliqueWallAtThirtyDegreesToTheWayBlocks) {
-  // The normal is 60 degrees off the way: the sonars that look along the way see nothing of it.
+  // The normal of the wall is at 60 degrees to the way, so the sonars that look along the way see no wall.
   for (const double crosses_at : {1.0, 1.5, 2.0}) {
     SCOPED_TRACE(crosses_at);
     const Point along = {std::cos(kPi / 6), std::sin(kPi / 6)};

@@ -17,7 +17,7 @@ using test::Wall;
 constexpr double kPi = std::numbers::pi;
 constexpr Time kStep = 32ms;
 
-/// What a robot sees at a time and place, among walls and robots that tell where they are.
+/// What a robot perceives at a time and place, among walls and robots that report their position.
 Perception look(std::span<const Wall> walls, Time now, const Point& p_WB, double yaw_rad,
                 std::vector<Neighbour> robots = {}) {
   Sensors sensors;
@@ -28,7 +28,7 @@ Perception look(std::span<const Wall> walls, Time now, const Point& p_WB, double
   return perceive(now, sensors, near, std::move(robots), {}, {}, {});
 }
 
-/// Of a robot that remembers for no longer than it must.
+/// The surfaces of a robot with the shortest possible memory.
 Surfaces short_memory() { return {SurfaceMemory{.duration = 20s}, {}, false}; }
 
 double nearest_m(const std::vector<Point>& places, const Point& to) {
@@ -37,7 +37,7 @@ double nearest_m(const std::vector<Point>& places, const Point& to) {
   return nearest;
 }
 
-/// Drives 1.5 m along a wall on its left, 0.3 m off; the wall ends in a corner at x = 1.
+/// Drives 1.5 m along a wall 0.3 m to the left, which ends in a corner at x = 1.
 Time drive_along(Surfaces& surfaces, std::span<const Wall> walls) {
   Time now{0};
   for (double x = 0.0; x < 1.5; x += 0.03, now += kStep) surfaces.see(look(walls, now, {x, 0.0}, 0.0));
@@ -116,7 +116,7 @@ TEST(Surfaces, OfAMapAreBounded) {
 }
 
 TEST(Surfaces, ExpectAWallToGoOnWhileASonarFollowsIt) {
-  const std::vector<Wall> oblique = {{{-2.0, 0.5}, {2.0, 0.1}}};  // comes nearer by 0.1 m in each metre
+  const std::vector<Wall> oblique = {{{-2.0, 0.5}, {2.0, 0.1}}};  // 0.1 m nearer with each metre
   Surfaces surfaces = short_memory();
   Time now{0};
   for (double x = -0.3; x <= 0.0; x += 0.03, now += kStep) surfaces.see(look(oblique, now, {x, 0.0}, 0.0));

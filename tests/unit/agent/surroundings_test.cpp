@@ -51,7 +51,7 @@ TEST(Surroundings, UnknownRangesAreNoEchoesAndWithoutAnyTheRobotIsBlind) {
   Sensors sensors;
   sensors.sonar_range_m.fill(kNan);
   EXPECT_TRUE((Surroundings{sensors, {}}.is_blind()));
-  sensors.sonar_range_m[9] = 1.0;  // one of the rear
+  sensors.sonar_range_m[9] = 1.0;  // one at the rear
   EXPECT_TRUE((Surroundings{sensors, {}}.is_blind()));
   sensors.sonar_range_m[0] = 1.0;
   const Surroundings around{sensors, {}};

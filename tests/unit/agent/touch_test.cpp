@@ -8,7 +8,7 @@ namespace {
 
 constexpr Time kStep = std::chrono::milliseconds{32};
 
-/// Wheels that turn as a test says, whatever they are told.
+/// Wheels that turn as the test says, whatever is commanded.
 class Wheelwork {
  public:
   std::optional<Touch> run(int steps, const Wheels& told, const Wheels& turning) {
@@ -44,7 +44,7 @@ TEST(TouchSensor, FeelsWhatStopsBothWheelsAheadOnceForEachTouch) {
   EXPECT_EQ(wheels.touches(), 1);
 }
 
-// Of a face met at more than 45 degrees the wheel on the far side is slowed.
+// At a face met at more than 45 degrees, the wheel on the far side is slowed.
 TEST(TouchSensor, DoesNotTakeTheWheelThatIsSlowedForTheSide) {
   for (const Wheels& turning : {Wheels{0.5, 0.9}, Wheels{0.9, 0.5}}) {
     Wheelwork wheels;
@@ -66,8 +66,8 @@ TEST(TouchSensor, FeelsBehindWhileItBacksOff) {
 
 TEST(TouchSensor, OfATurnOnTheSpotTheBaseTellsWhichCornerMeetsSomething) {
   struct Case {
-    double turn, pushed;  // to the left; the base forward
-    double x, y;          // of the corner
+    double turn, pushed;  // sign of the turn, left positive; sign of the motion of the base, forward positive
+    double x, y;          // position of the corner in B
   };
   for (const Case& is : {Case{1, 1, -0.285, -0.1905}, Case{1, -1, 0.2, 0.1905}, Case{-1, 1, -0.285, 0.1905},
                          Case{-1, -1, 0.2, -0.1905}}) {
@@ -108,7 +108,7 @@ TEST(TouchSensor, FeelsNothingInFramesThatAreRareAndLate) {
   Sensors sensors;
   Time now{0};
   for (int i = 0; i < 200; ++i) {
-    const Time late{i % 3 == 0 ? 60'000'000 : 0};  // of 10 frames a second, told at arrival
+    const Time late{i % 3 == 0 ? 60'000'000 : 0};  // 10 frames a second, stamped at arrival, some late
     now = i * Time{100'000'000} + late;
     sensors.left_wheel_rad = sensors.right_wheel_rad = 0.06 * i / body.wheel_radius_m;
     EXPECT_FALSE(sensor.update(now, sensors, {0.6, 0.6}, body));

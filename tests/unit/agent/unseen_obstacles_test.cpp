@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 constexpr Time kStep = 32ms;
 
-/// A robot that drives east in the open and is stopped where a test says.
+/// A robot that drives east on open floor and is stopped where the test says.
 class Driven {
  public:
   explicit Driven(const ObstacleMemory& memory = {}) : obstacles{{.memory = memory}} {}
@@ -27,11 +27,11 @@ class Driven {
   std::vector<Neighbour> robots;
   bool heard = false;
   double gps_noise_m = 0.0;
-  double wall_x_m = std::numeric_limits<double>::infinity();  // something ahead
-  double vanishes_m = 0.0;                                    // nearer than this it returns no echo
-  double beside_m = std::numeric_limits<double>::infinity();  // something beside the robot, on its left
+  double wall_x_m = std::numeric_limits<double>::infinity();  // x of a wall ahead
+  double vanishes_m = 0.0;                                    // nearer than this the wall returns no echo
+  double beside_m = std::numeric_limits<double>::infinity();  // distance to something on the robot's left
 
-  /// @return how many places are new
+  /// @return number of new places
   int drive(int steps, bool stopped) {
     int news = 0;
     for (int i = 0; i < steps; ++i) {
@@ -117,7 +117,7 @@ TEST(UnseenObstacles, AreNotWhatRobotsAre) {
   EXPECT_EQ(elsewhere.drive(10, true), 1) << "it is not in the way";
 }
 
-// Something low returns an echo from a distance and none from close by.
+// A low obstacle returns an echo from a distance, but none from close by.
 TEST(UnseenObstacles, AreNotWhatWasSeenFromCloseByBeforeButWhatWasSeenFromADistance) {
   for (const double distance : {0.3, 0.8}) {
     SCOPED_TRACE(distance);

@@ -28,7 +28,7 @@ DecodeError error_in(const Bytes& bytes) {
   return *error;
 }
 
-/// One of each, and the limits of each field.
+/// One message of each type, and messages at the limits of each field.
 std::vector<Message> examples() {
   constexpr std::int32_t kLow = std::numeric_limits<std::int32_t>::min();
   constexpr std::int32_t kHigh = std::numeric_limits<std::int32_t>::max();

@@ -20,7 +20,7 @@ using testing::SizeIs;
 
 constexpr Time kStep = 32ms;
 
-/// What arrives of frames that were sent.
+/// The frames as their receivers get them.
 std::vector<ReceivedFrame> arrive(const std::vector<Frame>& frames) {
   std::vector<ReceivedFrame> heard;
   for (const Frame& frame : frames) heard.push_back({.channel = frame.channel, .bytes = frame.bytes});
@@ -39,7 +39,7 @@ Path straight(std::size_t points) {
   return path;
 }
 
-/// Robots within earshot of each other in perfect air, one step of latency.
+/// Robots within radio range of each other, without losses, with one step of latency.
 struct CommunicationTest : testing::Test {
   struct Robot {
     Communication communication;
@@ -138,7 +138,8 @@ TEST_F(CommunicationTest, WaitGoesOutOncePerWaitPeriod) {  // P-1
   EXPECT_EQ(waits, 10);
 }
 
-/// Robot 3, told to be where `place` says at each step, hears a WAIT of robot 7 in each when it is `near`.
+/// The number of WAITs that robot 3 sends when its position in each step is `place(step)`; if `near`, it
+/// receives a WAIT of robot 7 in each step.
 int waits_of_a_robot(CommunicationSettings config, bool near, const std::function<Whereabouts(int)>& place) {
   config.id = RobotId{3};
   Communication communication{config};
@@ -158,7 +159,7 @@ int waits_of_a_robot(CommunicationSettings config, bool near, const std::functio
 
 TEST_F(CommunicationTest, ARobotThatDoesNotMoveAsItToldTellsAnewWhenAnotherIsNear) {  // P-14
   config.wait.period = 1s;
-  // 1 m/s to and fro: it turns back every two seconds, half way between two WAITs.
+  // 1 m/s to and fro: the robot turns back every two seconds, half way between two WAITs.
   const auto to_and_fro = [](int step) {
     const int phase = (step + 16) % 126;
     const int x_mm = 32 * (phase < 63 ? phase : 126 - phase);

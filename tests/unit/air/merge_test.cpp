@@ -8,7 +8,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Merges both ways round and checks that it makes no difference.
+/// Merges in both orders and checks that the results are equal.
 Path merged(const Path& own, const Path& other) {
   Path result = merge(own, other);
   EXPECT_EQ(result, merge(other, own));
@@ -70,7 +70,7 @@ TEST(Merge, CutsALoopOfOneOutOfBoth) {
 }
 
 TEST(Merge, SkipsIntersectionsInTheOppositeOrder) {
-  // Along own the crossings come as 1, 2; along other as 2, 1: at most one of them can be used.
+  // Along `own` the crossings come as 1, 2; along `other` as 2, 1. At most one of them can be used.
   const Path own{{0, 0}, {10, 0}, {20, 0}};
   const Path other{{0, 0}, {0, 2}, {14, 2}, {14, -2}, {6, -2}, {6, 2.5}, {20, 2.5}, {20, 0}};
   EXPECT_EQ(merged(own, other), own);

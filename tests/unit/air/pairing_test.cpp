@@ -37,7 +37,7 @@ template <typename Expected>
   if (std::holds_alternative<Expected>(state)) return ::testing::AssertionSuccess();
   return ::testing::AssertionFailure() << "state " << state.index();
 }
-/// Nothing changes and nothing is sent.
+/// Expects no change of state and no frame.
 ::testing::AssertionResult ignores(const State& state, const PairingEvent& event) {
   const Decision decision = decide(state, event);
   if (decision.next.index() == state.index() && decision.send == Send::kNothing && !decision.refuse &&

@@ -92,7 +92,7 @@ TEST(Transfer, IgnoresFragmentsThatContradictTheFirst) {  // P-45
   taker.absorb({{}, {}, 1, 4, 2, true, 2, {{9, 9}, {9, 9}}});
   EXPECT_FALSE(taker.holds_all());
   EXPECT_FALSE(taker.has_given());
-  taker.absorb({{}, {}, 1, 3, 0, true, 0, {{8, 8}}});  // known already: the first value stays
+  taker.absorb({{}, {}, 1, 3, 0, true, 0, {{8, 8}}});  // already known: the first value stays
   taker.absorb({{}, {}, 1, 3, 2, true, 0, {{3, 3}}});
   EXPECT_THAT(taker.partners_path(),
               testing::ElementsAre(Point{0.001, 0.001}, Point{0.002, 0.002}, Point{0.003, 0.003}));

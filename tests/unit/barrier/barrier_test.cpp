@@ -13,7 +13,7 @@ using ::testing::IsEmpty;
 
 constexpr Wall kStart{};
 
-/// Three robots and a radio that have begun; step 0 is open.
+/// A started barrier with three robots and a radio; step 0 is open.
 Barrier started(const BarrierConfig& config = {.robots = 3}) {
   Barrier barrier{config};
   for (std::uint32_t robot = 1; robot <= config.robots; ++robot) barrier.answer(robot);
@@ -21,7 +21,7 @@ Barrier started(const BarrierConfig& config = {.robots = 3}) {
   return barrier;
 }
 
-/// The same, one step later: the radio has joined, nobody has answered.
+/// The same, one step later: the radio has joined, and no one has answered yet.
 Barrier under_way(const BarrierConfig& config = {.robots = 3}) {
   Barrier barrier = started(config);
   barrier.answer_radio();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a bridge does not believe, of a position, of a robot, of a line.
+// The checks of a bridge on positions, on its robot and on its lines.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-/// With another checksum.
+/// Replaces `from` in a sentence and corrects its checksum.
 std::string with(const std::string& line, const std::string& from, const std::string& to) {
   const std::size_t place = line.find(from);
   if (place == std::string::npos) return line;
@@ -29,7 +29,7 @@ std::string with(const std::string& line, const std::string& from, const std::st
   return "$" + sentence + end.data();
 }
 
-/// Each line of some, changed.
+/// Applies `change` to each line.
 std::function<std::string(std::string)> each(const std::function<std::string(std::string)>& change) {
   return [change](const std::string& lines) {
     std::string changed;
@@ -59,7 +59,7 @@ TEST_F(DrivingLoop, AFixFarFromTheOthersIsRefusedAndStopsTheRobotUntilSeveralAgr
 TEST_F(DrivingLoop, AnotherPlaceIsTakenOnceSeveralFixesAgreeOnIt) {
   wish_ = {};
   run(1s);
-  place_ = {20.0, 10.0};  // somebody has carried it
+  place_ = {20.0, 10.0};  // somebody has moved the robot
   run(300ms);
   EXPECT_TRUE(std::isnan(frames_.back().x_m));
   run(700ms);
@@ -154,7 +154,7 @@ TEST_F(DrivingLoop, AReceiverSlowerThanTheLimitIsToldWithBothNumbers) {
 }
 
 TEST_F(DrivingLoop, FixesThatArriveLateAreToldAndStopTheRobot) {
-  // A line that carries 70 % of what the receiver says.
+  // A line that carries 70 % of the data that the receiver sends.
   std::string waiting;
   double room = 0.0;
   change_gps_ = [&](const std::string& lines) {

@@ -31,8 +31,8 @@ inline RobotConfig robot_config() {
   return config;
 }
 
-/// The bridge and an emulated robot at the two ends of a line, in time of the test's own: what is claimed in
-/// milliseconds is shown with it.
+/// The bridge and an emulated robot at the two ends of a line, in simulated time. The tests of limits in
+/// milliseconds use it.
 class Loop : public ::testing::Test {
  protected:
   explicit Loop(const BridgeConfig& config = bridge_config(), const RobotConfig& robot = robot_config())
@@ -46,7 +46,7 @@ class Loop : public ::testing::Test {
   void run(Time span) {
     for (const Time end = now_ + span; now_ < end;) step();
   }
-  /// Ten milliseconds of both ends and of the body between.
+  /// Advances both ends and the body between them by 10 ms.
   void step() {
     now_ += 10ms;
     const BodyDrive drive = robot_powered_ ? robot_.drive(now_) : BodyDrive{};
@@ -75,7 +75,7 @@ class Loop : public ::testing::Test {
       bridge_.robot_up(now_);
     }
   }
-  /// When its wheels have come to rest.
+  /// Time until the wheels have come to rest, `patience` at most.
   [[nodiscard]] Time rest_after(Time patience) {
     const Time began = now_;
     while (now_ - began < patience && (moves_ || now_ == began)) step();
@@ -115,8 +115,8 @@ class Loop : public ::testing::Test {
   std::string unfit_;
   bool gps_works_ = true;
   bool agent_speaks_ = true;
-  std::size_t unanswered_ = 0;  // frames between two answers of the agent; 0: it says the same all the time
-  std::size_t answered_ = 0;    // frames, so far
+  std::size_t unanswered_ = 0;  // frames between two answers of the agent; 0: it answers in every step
+  std::size_t answered_ = 0;    // number of frames at the last answer
   std::vector<Frame> frames_;
   std::string told_;
 };

@@ -17,7 +17,7 @@ TEST_F(DrivingLoop, WheelsAreAtRest600MillisecondsAfterTheLastCommand) {
   const Time rest = rest_after(5s);
   EXPECT_GT(rest, 400ms) << "four frames may be missed";
   EXPECT_LE(rest, 600ms - 150ms) << "what is left is for the way to the robot and for braking";
-  run(200ms);  // it is logged with the robot's next packet
+  run(200ms);  // the stop is logged with the robot's next packet
   EXPECT_THAT(told_, HasSubstr("no command for 400 ms: wheels stopped"));
   agent_speaks_ = true;
   run(1s);
@@ -54,7 +54,7 @@ TEST_F(DrivingLoop, ARobotThatSendsNothingIsStoppedWithin600Milliseconds) {
   EXPECT_TRUE(moves_) << "recovers without restart";
 }
 
-/// Wherever between two packets it falls silent, and however slow the agent is.
+/// This holds wherever between two packets the robot falls silent, and however slow the agent is.
 TEST_F(DrivingLoop, ARobotThatFallsSilentIsNotToldToLackCommandsToo) {
   for (unanswered_ = 1; unanswered_ <= 3; ++unanswered_) {
     for (Time delay{0}; delay < 300ms; delay += 10ms) {
@@ -89,7 +89,7 @@ TEST_F(DrivingLoop, ARobotAsDeliveredStopsTooLateWhenItsCableIsCutAndThatIsSaid)
   EXPECT_THAT(told_, HasSubstr("its own watchdog stops it only after 2000 ms; set it to 300 ms"));
 }
 
-/// With the watchdog as docs/bring_your_robot.md wants it.
+/// With the watchdog as docs/bring_your_robot.md requires it.
 class LoopWithQuickWatchdog : public DrivingLoop {
  protected:
   LoopWithQuickWatchdog()
@@ -198,7 +198,7 @@ TEST_F(DrivingLoop, AfterAnEmergencyStopOnlyTheMotorsButtonLetsItDrive) {
 }
 
 TEST_F(DrivingLoop, WheelCommandsAreZeroWhileTheEmergencyStopIsPressed) {
-  // Of a robot that says so and obeys nevertheless.
+  // The robot reports a pressed stop but obeys nevertheless.
   arcos::Sip sip;
   sip.flags = arcos::kMotorsOn | arcos::kStopPressed;
   robot_silent_ = robot_hears_ = false;

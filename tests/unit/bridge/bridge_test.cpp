@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a bridge tells its agent and does for it, with an emulated robot at the other end of the line.
+// What a bridge reports to its agent and does for it, with an emulated robot at the other end of the line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

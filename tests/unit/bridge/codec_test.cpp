@@ -253,7 +253,7 @@ TEST(ArcosProperty, AnyBytesBetweenPacketsLoseNoneOfThem) {
     std::size_t found = 0;
     for (int packet = 0; packet < 10; ++packet) {
       Bytes stream;
-      // Garbage that cannot be the head of a packet: what looks like one may swallow what follows it.
+      // Garbage that cannot start a packet: bytes that look like a header could swallow those that follow.
       for (int byte = 0; byte < 20; ++byte) stream.push_back(static_cast<std::uint8_t>(random.word() % 0xfa));
       const Bytes whole = encode(some_sip());
       const Bytes framed = to_packet(whole);

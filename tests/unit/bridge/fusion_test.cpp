@@ -74,7 +74,7 @@ TEST(PoseFusion, AveragesWhatGpsAndCompassGetWrong) {
 TEST(PoseFusion, WithoutCompassTheWayBetweenFixesRightsTheHeading) {
   FusionConfig config;
   config.has_compass = false;
-  config.start.yaw_WB_rad = 1.0;  // it truly heads along x
+  config.start.yaw_WB_rad = 1.0;  // the true heading is along x
   PoseFusion fusion{config};
   fusion.fix({0.0, 0.0}, 0s);
   for (int step = 1; step <= 200; ++step) {
@@ -93,7 +93,7 @@ TEST(PoseFusion, AnOdometryThatDriftsIsHeld) {
   PoseFusion fusion{{}};
   for (int step = 0; step < 1000; ++step) {
     const Time now = 100ms * step;
-    if (step > 0) fusion.move({0.055, 0.002});  // truly 0.05 and 0
+    if (step > 0) fusion.move({0.055, 0.002});  // the true values are 0.05 and 0
     fusion.read_compass(0.0);
     fusion.fix({0.05 * step, 0.0}, now);
   }

@@ -27,7 +27,7 @@ TEST(GpsSource, AReceiverOnAnotherLineMayHaveAnotherTime) {
   EXPECT_TRUE(takes(source, 3.4, 10s)) << "switched off and on: it counts from its start";
 }
 
-/// What is told in the first 20 s, in which the receiver sends this every second.
+/// The notices in the first 20 s when the receiver sends this line every second.
 std::string told_of(const std::string& line) {
   GpsSource source{{48.0, 11.0, 0.0}, 5.0};
   std::string told;

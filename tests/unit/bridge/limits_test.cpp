@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often a bridge tells, opens and tries.
+// How often a bridge logs a notice, opens a line and tries a baud rate.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -224,7 +224,7 @@ TEST_F(RobotWithBumpers, StopsAtAnObstacleAndDrivesAwayFromIt) {
 }
 
 TEST_F(RobotWithBumpers, DrivesOnWhereTheyAreSwitchedOff) {
-  say(Order::kBumpStall, 2);  // the rear ones only
+  say(Order::kBumpStall, 2);  // only the rear bumpers
   say(Order::kSpeed, 300);
   robot_.press_bumpers(1, 0);
   run(1s);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The emulated robot's end of the line, told by a host written out by hand.
+// The emulated robot's end of the line. The packets of the host are written out by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

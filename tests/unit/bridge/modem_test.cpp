@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packets between radios, and a radio that cannot send and listen at once.
+// Packets between radios, and a radio that cannot send and receive at the same time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

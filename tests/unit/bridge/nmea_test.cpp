@@ -15,7 +15,7 @@ std::vector<std::string> found_in(const std::string& text) {
   return finder.feed({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-// The well-known examples of the sentences, in many manuals.
+// Well-known example sentences that many manuals print.
 constexpr const char* kGga = "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n";
 constexpr const char* kRmc = "$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W*6A\r\n";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What programs that drive real Pioneers send, byte by byte, and what the emulated robot makes of it.
+// The bytes that programs for real Pioneers send, and the response of the emulated robot.
 #include <gmock/gmock.h>
 
 #include "tests/unit/bridge/robot_bench.hpp"
@@ -31,10 +31,10 @@ TEST_F(PioneerHost, ShakesHandsAndOpensWithAnArgument) {
   EXPECT_THAT(sips_, SizeIs(11)) << "the first at once";
 }
 
-/// A host that opens in any of these ways gets SIPs and can close.
+/// A host that opens with any kind of argument gets SIPs and can close.
 class AnyArgument : public RobotBench, public ::testing::WithParamInterface<arcos::Command> {
  protected:
-  /// The command, with the kind of argument that is tried.
+  /// The command with the kind of argument under test.
   [[nodiscard]] static Bytes packet(Order order) {
     return encode(arcos::Command{static_cast<std::uint8_t>(order), GetParam().argument});
   }
@@ -217,8 +217,8 @@ TEST_F(PioneerHost, SwitchesDigitalOutputsAndSeesThem) {
 TEST_F(PioneerHost, WhoBeginsAnewOverAnOpenConnectionIsLetIn) {
   open();
   run(300ms);
-  say("FA FB 03 00 00 00");           // SYNC0 gets SIPs
-  say("FA FB 06 02 3B 01 00 03 3B");  // so the host closes, and again to be sure
+  say("FA FB 03 00 00 00");           // SYNC0 is answered by SIPs
+  say("FA FB 06 02 3B 01 00 03 3B");  // so the host closes, twice to be sure
   (void)robot_.take_output();
   say("FA FB 06 02 3B 01 00 03 3B");
   EXPECT_THAT(robot_.take_output(), IsEmpty()) << "no SYNC2";
@@ -226,7 +226,7 @@ TEST_F(PioneerHost, WhoBeginsAnewOverAnOpenConnectionIsLetIn) {
   EXPECT_EQ(robot_.take_output(), from_hex("FA FB 03 00 00 00"));
 }
 
-/// What the commonest client library for these robots sends, in its order and rhythm.
+/// The packets of the most common client library for these robots, in its order and rhythm.
 TEST_F(PioneerHost, AClientLibraryConfiguresDrivesAndCloses) {
   const auto repeat = [&](Time span, const std::string& packets) {
     for (const Time end = now_ + span; now_ < end;) {

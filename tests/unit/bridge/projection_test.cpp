@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-// Lengths of a degree at 0, 45 and 60 degrees of latitude on WGS 84, as tables have them.
+// Tabulated lengths of a degree at 0, 45 and 60 degrees of latitude on WGS 84.
 struct DegreeLengths {
   double latitude_deg, of_latitude_m, of_longitude_m;
 };
@@ -23,7 +23,8 @@ TEST(ArenaProjection, ADegreeIsAsLongAsTheTablesSay) {
   }
 }
 
-/// East and north of the origin through earth-centred coordinates: no approximation by radii of curvature.
+/// East and north of the origin, computed in earth-centred coordinates: not approximated by radii of
+/// curvature.
 Point tangent_plane(double latitude_deg, double longitude_deg, const ArenaPlace& origin) {
   constexpr double kA = 6378137.0;
   constexpr double kE2 = 6.69437999014e-3;

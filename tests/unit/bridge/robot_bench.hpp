@@ -14,7 +14,7 @@ namespace caravan::bridge {
 
 using namespace std::chrono_literals;
 
-/// Bytes as they are written down: "FA FB 03".
+/// Bytes from their notation in hexadecimal: "FA FB 03".
 inline arcos::Bytes from_hex(const std::string& text) {
   arcos::Bytes bytes;
   std::istringstream in{text};
@@ -22,7 +22,7 @@ inline arcos::Bytes from_hex(const std::string& text) {
   return bytes;
 }
 
-/// An emulated robot on the bench: the test is its host, and turns its wheels as its motors say.
+/// An emulated robot without a world. The test is its host and turns its wheels as its motors command.
 class RobotBench : public ::testing::Test {
  protected:
   static constexpr double kRadius_m = 0.0975;
@@ -32,7 +32,7 @@ class RobotBench : public ::testing::Test {
   void say(const arcos::Bytes& packet) { robot_.receive(packet, now_); }
   void say(const std::string& hex) { say(from_hex(hex)); }
   void say(arcos::Order order, int argument) { say(encode(order, argument)); }
-  /// Open, nothing else.
+  /// Opens the robot and sends no further command.
   void shake_hands() {
     robot_.connected(now_);
     for (const arcos::Order order :
@@ -41,13 +41,13 @@ class RobotBench : public ::testing::Test {
     }
     (void)robot_.take_output();
   }
-  /// Open, motors and sonars on.
+  /// Opens the robot and switches its motors and sonars on.
   void open() {
     shake_hands();
     say(arcos::Order::kEnable, 1);
     say(arcos::Order::kSonar, 1);
   }
-  /// Lets the wheels do what they are told for a time, and sends PULSE like any host; `grip` 0: they are
+  /// Turns the wheels as commanded for `span`, and sends PULSE as any host does. With `grip` 0 the wheels are
   /// blocked.
   void run_with_pulses(Time span, double grip = 1.0) {
     for (const Time end = now_ + span; now_ < end;) {
@@ -75,7 +75,7 @@ class RobotBench : public ::testing::Test {
   [[nodiscard]] double right_m() const { return senses_.right_wheel_rad * kRadius_m; }
   [[nodiscard]] double travelled_m() const { return 0.5 * (left_m() + right_m()); }
   [[nodiscard]] double turned_deg() const { return (right_m() - left_m()) / 0.33 * 180.0 / std::numbers::pi; }
-  /// What CONFIG answers.
+  /// The answer to CONFIG.
   [[nodiscard]] arcos::Settings settings() {
     (void)robot_.take_output();
     say(encode(arcos::Order::kConfig));
@@ -86,7 +86,7 @@ class RobotBench : public ::testing::Test {
     ADD_FAILURE() << "no answer to CONFIG";
     return {};
   }
-  /// How many packets of a type came since it was asked for the last time.
+  /// Number of packets of a type since the last call, for any type.
   [[nodiscard]] int take_count(std::uint8_t type) {
     const auto count = std::count_if(packets_seen_.begin(), packets_seen_.end(),
                                      [&](const arcos::Bytes& data) { return data[0] == type; });
@@ -94,7 +94,7 @@ class RobotBench : public ::testing::Test {
     return static_cast<int>(count);
   }
 
-  /// The newest packet of a type; empty when none has come.
+  /// The newest packet of a type; empty if none has come.
   [[nodiscard]] arcos::Bytes last(std::uint8_t type) const {
     const auto found = std::find_if(packets_seen_.rbegin(), packets_seen_.rend(),
                                     [&](const arcos::Bytes& data) { return data[0] == type; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The host's end of the line, against bytes written out by hand.
+// The host's end of the line. The bytes of the robot are written out by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ std::string told_by(RobotLink& link) {
   for (const Notice& notice : link.take_notices()) text += notice.text + "\n";
   return text;
 }
-/// Opened, its first SIP came, CONFIG was asked.
+/// A link that is open, has received its first SIP and has sent CONFIG.
 RobotLink checking_link(Time now, const Bytes& answer = names()) {
   RobotLink link{{}};
   link.up(now);
@@ -123,7 +123,7 @@ TEST(RobotLink, LeavesTheMotorsOffWhenItIsTold) {
 }
 
 TEST(RobotLink, ARobotThatIsAnotherBySync2ThanByConfigIsAskedAgain) {
-  const Bytes garbled = to_packet(encode(arcos::Names{"Fder", "Pioneer", "p3dx"}));  // the same checksum
+  const Bytes garbled = to_packet(encode(arcos::Names{"Fder", "Pioneer", "p3dx"}));  // has the same checksum
   ASSERT_EQ((Bytes{garbled.end() - 2, garbled.end()}), (Bytes{names().end()[-2], names().end()[-1]}));
   RobotLink link = checking_link(0s, garbled);
   (void)link.receive(settings(), 10ms);
@@ -155,7 +155,7 @@ TEST(RobotLink, ARobotThatKeepsToTwoNamesIsTakenButNotOneOfTwoKinds) {
 
 TEST(RobotLink, ARobotThatNeverAnswersConfigIsAskedSixTimesAndThenTakenUnchecked) {
   RobotLink link = checking_link(0s);
-  int asked = 1;  // with OPEN
+  int asked = 1;  // CONFIG was sent once with OPEN
   for (Time now{0}; !link.is_running(); now += 100ms) {
     ASSERT_LT(now, 10s);
     (void)link.receive(sip(), now);
@@ -183,13 +183,13 @@ TEST(RobotLink, ARobotThatNoLongerAnswersConfigDoesNotReceiveWhatItIsTold) {
   EXPECT_THAT(link.unsafe(10s), IsEmpty()) << "it answers again";
 }
 
-/// A line that carries so many SIPs a second; answers to CONFIG wait among them.
+/// The line carries fewer SIPs a second than the robot sends; answers to CONFIG wait in the same queue.
 TEST(RobotLink, SipsThatArriveMoreSlowlyThanTheRobotSendsThemAreOldAndThatIsSeen) {
   RobotLink link = running_link(0s);
   std::optional<Time> unsafe;
-  std::deque<Time> answers;  // when they come out of the queue
+  std::deque<Time> answers;  // times at which they leave the queue
   Time now{0};
-  for (; now < 20s; now += 137ms) {  // of 480 bytes a second 350 come through
+  for (; now < 20s; now += 137ms) {  // the line carries 350 of 480 bytes a second
     (void)link.receive(sip(), now);
     link.tick(now);
     const auto asked = numbers_in(link.take_output());
@@ -223,7 +223,7 @@ TEST(RobotLink, SipsThatAreLostSeldomOrComeInBurstsAreNotLate) {
   RobotLink link = running_link(0s);
   for (int sips = 0; sips < 3000; ++sips) {
     if (sips % 30 == 29) continue;                                           // lost
-    const Time now = 100ms * (sips % 10 < 3 ? sips - sips % 10 + 3 : sips);  // three wait for the fourth
+    const Time now = 100ms * (sips % 10 < 3 ? sips - sips % 10 + 3 : sips);  // three arrive with the fourth
     (void)link.receive(sip(), now);
     ASSERT_TRUE(sips % 10 < 3 || link.unsafe(now).empty()) << sips;
     (void)link.receive(settings(), now);

@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 
 class Sonars : public ::testing::Test {
  protected:
-  /// Two of sixteen each 40 ms, as a Pioneer does; those of `zero` read 0.
+  /// Two of sixteen sonars every 40 ms, as on a Pioneer; those in `zero` read 0.
   void run(Time span, const std::vector<std::size_t>& zero) {
     for (const Time end = now_ + span; now_ < end; now_ += 40ms, next_ = (next_ + 1) % 8) {
       std::vector<arcos::Sip::Sonar> readings;

@@ -17,7 +17,7 @@ namespace msg = caravan_interfaces::msg;
 using test::Bytes;
 using test::bytes_of;
 
-/// Why a sample of these bytes is refused.
+/// The reason why a sample with these bytes is refused.
 template <typename Type>
 std::optional<Refusal> read(const Bytes& bytes, typename Type::type* into = nullptr) {
   CheckedType<Type> type;
@@ -51,7 +51,7 @@ TEST(CheckedType, RefusesLengthsBeyondItsBytesAndKeepsNoMemory) {
   constexpr std::size_t kPathLength = 4 + 8 + 8 + 4 + 4 + 8 + 4;
   for (std::size_t i = 0; i < 4; ++i) bytes.at(kPathLength + i) = 0xff;
   msg::Telemetry telemetry;
-  telemetry.path().resize(1000);  // of the sample before
+  telemetry.path().resize(1000);  // left from the sample before
 
   EXPECT_EQ(read<msg::TelemetryPubSubType>(bytes, &telemetry), Refusal::kMalformed);
   EXPECT_EQ(telemetry.path().capacity(), 0U);
@@ -113,7 +113,7 @@ TEST(CheckedType, TakesAnyBytes) {
     SCOPED_TRACE(seed);
     std::mt19937 random{seed};
     Bytes bytes(random() % 600);
-    // Small numbers pass for lengths, so that what follows them is read too.
+    // Small numbers are valid lengths, so that the bytes after them are read, too.
     for (std::uint8_t& byte : bytes)
       byte = static_cast<std::uint8_t>(random() % 4 == 0 ? random() : random() % 3);
     if (bytes.size() >= 4) bytes[0] = 0, bytes[1] = static_cast<std::uint8_t>(random() % 4);

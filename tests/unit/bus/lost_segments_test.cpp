@@ -27,8 +27,8 @@ TEST(LostSegments, OpenAsEmptyOnesWhereDdsReadsNoFurtherWithoutThem) {
   close(memory);
 }
 
-// Boost, which Fast DDS opens them with, leaves the first 16 bytes to itself and opens nothing when the size
-// of the rest needs more than 32 bits.
+// Fast DDS opens segments with Boost, which uses the first 16 bytes itself and opens nothing whose remaining
+// size needs more than 32 bits.
 TEST(LostSegments, AreAsLongAsALibraryWithAddressesOf32BitsTakesThem) {
   if (!reads_past_lost_segments()) GTEST_SKIP() << "this version of DDS reads on";
   const int memory = shm_open(marked("0123456789abcdef").c_str(), O_RDWR, 0600);

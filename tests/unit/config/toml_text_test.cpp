@@ -23,7 +23,7 @@ std::string repeated(const std::string& text, int times) {
   return all;
 }
 
-/// What the refusal of the text says; empty: it is TOML.
+/// The message of the refusal; empty if the text is accepted as TOML.
 std::string refusal_of(const std::string& text) {
   try {
     (void)parse_toml(text, "test.toml");

@@ -16,7 +16,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Kind = pure::Outcome::Kind;
 
-/// Four robots within range of each other; each sends one frame. Pairs (sender, receiver) that it crosses.
+/// Four robots within range of each other; each sends one frame. @return the pairs (sender, receiver) between
+/// which it arrives
 std::vector<std::pair<int, int>> heard_by(std::span<const LinkRule> rules, const MediumConfig& config = {},
                                           std::uint64_t step = 0) {
   const std::vector<Station> stations{{1, 0.0, 0.0}, {2, 0.5, 0.0}, {3, 1.0, 0.0}, {4, 1.5, 0.0}};

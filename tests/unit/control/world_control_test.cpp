@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Kind = Outcome::Kind;
 
-/// A world of four robots at its boundaries.
+/// The control of a world of four robots between its steps.
 class WorldControl : public ::testing::Test {
  protected:
   std::optional<Outcome> ask(const Action& action, std::uint64_t at_step = 0, std::uint64_t next_step = 1) {

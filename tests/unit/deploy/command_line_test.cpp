@@ -18,7 +18,7 @@ Command read(std::vector<const char*> words) {
   return read_command_line(static_cast<int>(words.size()), words.data());
 }
 
-/// The one line that a wrong command line is answered with.
+/// The single line with which a wrong command line is refused.
 std::string complaint(const std::vector<const char*>& words) {
   CaptureStderr();
   const auto command = read(words);

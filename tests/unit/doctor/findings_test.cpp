@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the doctor thinks of hosts that are made up.
+// The findings of the doctor for made-up hosts.
 #include "deploy/doctor/findings.hpp"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-/// A host with nothing to say against it, for a run over shared memory and the network.
+/// A host without any defect, for a run over shared memory and the network.
 HostFacts healthy() {
   HostFacts facts;
   facts.robots = 15;
@@ -43,7 +43,7 @@ Finding about(const std::string& subject, const HostFacts& facts) {
   return {};
 }
 
-/// Expects the one finding to be as bad as said, with advice, and all others to be good.
+/// Expects the finding on `subject` to have this severity and advice, and all others to be good.
 Finding only_complaint(const HostFacts& facts, const std::string& subject, Severity severity) {
   Finding found;
   for (const Finding& finding : examine(facts)) {
@@ -85,7 +85,7 @@ TEST(Doctor, WantsSharedMemoryThatCanBeWrittenAndHasRoomForTheRobots) {
   facts.shared_memory_writable = false;
   EXPECT_THAT(only_complaint(facts, "shared memory", Severity::kProblem).advice, HasSubstr("--ipc=host"));
   facts = healthy();
-  facts.shared_memory_free_bytes = 64ULL << 20;  // a container's, unless told otherwise
+  facts.shared_memory_free_bytes = 64ULL << 20;  // the default of a container
   EXPECT_EQ(about("shared memory", facts).severity, Severity::kGood) << "15 robots";
   facts.robots = 100;
   EXPECT_THAT(only_complaint(facts, "shared memory", Severity::kProblem).seen, HasSubstr("100 robots"));
@@ -115,7 +115,7 @@ TEST(Doctor, SeesThatTheDomainIsInUse) {
   facts.domain_in_use = false;
   facts.udp_ports_in_use = {7400 + 250 * 7 + 249};
   (void)only_complaint(facts, "domain 7", Severity::kWarning);
-  facts.udp_ports_in_use = {7400 + 250 * 7 - 1, 7400 + 250 * 8};  // neighbours
+  facts.udp_ports_in_use = {7400 + 250 * 7 - 1, 7400 + 250 * 8};  // ports of neighbouring domains
   EXPECT_EQ(about("domain 7", facts).severity, Severity::kGood);
 }
 
@@ -123,7 +123,7 @@ TEST(Doctor, WarnsOfDomainsWhosePortsTheKernelGivesToOthers) {
   HostFacts facts = healthy();
   facts.domain = 120;
   EXPECT_THAT(only_complaint(facts, "domain 120", Severity::kWarning).advice, HasSubstr("below 101"));
-  facts.reach.network = false;  // shared memory has no such ports
+  facts.reach.network = false;  // these ports matter only to UDP
   EXPECT_EQ(about("domain 120", facts).severity, Severity::kGood);
   facts.reach.network = true;
   facts.domain = 100;

@@ -13,7 +13,7 @@ using std::chrono::seconds;
 
 constexpr Time kStep = std::chrono::milliseconds{32};
 
-/// Accounts for `length` in steps of 32 ms, the place and the activity given by functions of time.
+/// The account of `length` in steps of 32 ms, with place and activity as functions of time.
 ActivityTimes account_for(
     Time length, const std::function<Place(double)>& place, const std::function<Activity(double)>& activity,
     const std::function<bool(double)>& present = [](double) { return true; }) {

@@ -23,7 +23,7 @@ std::string row(std::string_view name, std::string_view unit, const std::string&
          " |\n";
 }
 
-/// As docs/outputs.md must have them.
+/// The rows as docs/outputs.md must have them.
 std::string table_of_json() {
   std::string text;
   for (const Metric& metric : metrics_table()) {
@@ -50,7 +50,7 @@ std::string table_of_columns() {
   return text;
 }
 
-/// The rows of the first table behind `heading`.
+/// The rows of the first table after `heading`.
 std::string table_behind(const std::string& text, const std::string& heading) {
   const std::size_t begin = text.find("|---|", text.find(heading));
   const std::size_t first = text.find('\n', begin) + 1;

@@ -97,7 +97,7 @@ TEST(Metrics, RoundTripsRunFromPickUpToTheNextPickUpOfTheSameRobot) {
 
   const Result result = metrics.result();
 
-  EXPECT_DOUBLE_EQ(result.round_trip_mean_s, 300.0);  // 200 and 400
+  EXPECT_DOUBLE_EQ(result.round_trip_mean_s, 300.0);  // the mean of 200 and 400
   EXPECT_EQ(result.items_delivered, 1U);
   EXPECT_EQ(result.robots[0].items, 1U);
   EXPECT_EQ(result.robots[1].items, 0U);
@@ -147,7 +147,8 @@ RunFacts facts_of(std::uint32_t items) {
           .max_time = minutes{120}};
 }
 
-/// All keys, those inside another as `outer.inner`; of the objects of a list those that any of them has.
+/// All keys; a key inside another is `outer.inner`. A list of objects contributes the keys of all its
+/// objects.
 std::set<std::string> keys_of(const nlohmann::json& value, const std::string& outer = "") {
   std::set<std::string> keys;
   for (const auto& [key, inner] : value.items()) {

@@ -6,12 +6,12 @@
 
 #include "experiment/metrics/observation.hpp"
 
-/// Hand-made observations: readable runs for the tests of what an observer makes of them.
+/// Observations written by hand, for tests of what an observer computes from them.
 namespace caravan::experiment::test {
 
 inline constexpr Time kStep = std::chrono::milliseconds{32};
 
-/// Robots 1, 2, ... at the given places, all taking part.
+/// Robots 1, 2, ... at the given places, all members of the step.
 inline Observation at(Time stamp, const std::vector<Place>& places) {
   Observation observation;
   observation.stamp = stamp;

@@ -222,7 +222,8 @@ TEST_F(Outputs, ARecordLeavesAllItsFilesAndTheExitCode) {
               testing::ElementsAre("robot,index,x_m,y_m", "1,0,0.0000,0.0000", "1,1,1.5000,2.0000"));
 }
 
-/// While it lives, no file of this process grows beyond `bytes`: what a full disk looks like to a writer.
+/// During its lifetime no file of this process can grow beyond `bytes`; to a writer this looks like a full
+/// disk.
 class SmallFiles {
  public:
   explicit SmallFiles(rlim_t bytes) : signal_{std::signal(SIGXFSZ, SIG_IGN)} {
@@ -254,7 +255,7 @@ TEST_F(Outputs, WhenThereIsNoRoomForARowAFileEndsWithTheOneBefore) {
   }
   EXPECT_THAT(lines_of("rows.csv"), testing::ElementsAre("name,value", "first,1", "second,2"));
 
-  file.flush();  // now there is room
+  file.flush();  // there is room again
 
   EXPECT_THAT(lines_of("rows.csv"), testing::ElementsAre("name,value", "first,1", "second,2", "third,3"));
 }

@@ -26,7 +26,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// What the refusal of the domain says; empty: it was given.
+/// The message of the refusal of the domain; empty if it was granted.
 std::string refusal_of(std::uint32_t domain) {
   try {
     const DomainLock lock{domain};
@@ -36,7 +36,7 @@ std::string refusal_of(std::uint32_t domain) {
   }
 }
 
-/// The exit code of a child process that does this.
+/// The exit code of a child process that runs `work`.
 int in_a_child(const std::function<int()>& work) {
   const pid_t child = fork();
   if (child == 0) _exit(work());
@@ -155,7 +155,7 @@ TEST(DomainLock, OfADomainInWhichAnotherUsersProcessesAreIsRefused) {
     const DomainLock free{std::nullopt};
     domain = free.domain();
   }
-  // As a process looks that has joined the domain by hand: its place and the port behind it.
+  // The traces of a process that has joined the domain by hand: its place and the port of that place.
   const std::uint32_t port = 1'000'000 * (domain + 1) + 7;
   const int place =
       runtime::hold_local_name("caravan/" + std::to_string(domain) + "/" + std::to_string(port));

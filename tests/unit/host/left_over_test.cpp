@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which files in shared memory nobody needs any more.
+// Which files in shared memory are left over.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ using testing::IsEmpty;
 
 std::string of_dds(const std::string& rest) { return runtime::shared_memory_mark() + rest; }
 
-/// A folder in the place of /dev/shm.
+/// A folder in place of /dev/shm.
 class LeftOver : public testing::Test {
  protected:
   LeftOver() {
@@ -51,7 +51,7 @@ TEST_F(LeftOver, IsWhatIsOldAndOfDds) {
   make(of_dds("0123_el"), 1h);
   make(of_dds("port7410"), 1h);
   make("sem." + of_dds("port7410_mutex"), 1h);
-  make(of_dds("4567"), 0s);    // somebody is starting
+  make(of_dds("4567"), 0s);    // of a process that is just starting
   make("somebody_elses", 1h);  // not of DDS
   make("sem.other_mutex", 1h);
   EXPECT_THAT(left(), ElementsAre(of_dds("0123"), of_dds("0123_el"), of_dds("port7410"),

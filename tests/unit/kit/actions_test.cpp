@@ -62,7 +62,7 @@ TEST(Actions, SayWhatIsWrong) {
   }
 }
 
-/// The tutorial's tables are the kit's.
+/// The tables of the tutorial agree with the kit.
 TEST(Actions, AreDocumentedAsTheyAre) {
   std::ifstream page{CARAVAN_SOURCE_DIR "/docs/deployment_tests.md"};
   std::stringstream text;

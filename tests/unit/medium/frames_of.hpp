@@ -7,7 +7,7 @@
 
 namespace caravan::radio {
 
-/// What was received, without how: comparable.
+/// The frames of a reception without their signal strength, so that they can be compared.
 inline std::vector<Frame> frames_of(const Reception& reception) {
   std::vector<Frame> frames;
   for (const ReceivedFrame& frame : reception.frames) frames.push_back({frame.channel, frame.bytes});

@@ -32,7 +32,7 @@ Step random_step(std::uint64_t seed) {
   const std::uint32_t robots = 1 + below(60.0);
   const double side = random.uniform(2.0, 20.0);
   for (std::uint32_t count = 0; count < robots; ++count) {
-    const std::uint32_t robot = 1 + below(80.0);  // now and then the same one twice
+    const std::uint32_t robot = 1 + below(80.0);  // sometimes one robot twice
     const bool exact = random.chance(0.5);
     const double x = random.uniform(-side, side);
     const double y = random.uniform(-side, side);
@@ -47,7 +47,7 @@ Step random_step(std::uint64_t seed) {
   return step;
 }
 
-/// The rules read aloud: every receiver, every sender, every frame.
+/// A direct implementation of the rules: every receiver, every sender, every frame.
 std::vector<Reception> brute_force(const Step& step, std::uint64_t number, Drops& drops) {
   const auto place = [&step](std::uint32_t robot) {
     return std::find_if(step.stations.begin(), step.stations.end(),

@@ -22,7 +22,7 @@ Transmission listens(std::uint32_t robot, std::uint32_t tuned = 0) {
   return {.robot = robot, .tuned = tuned, .frames = {}};
 }
 
-/// A medium with its counters.
+/// A medium and its counters.
 struct MediumTest : testing::Test {
   MediumConfig config;
   Drops drops;

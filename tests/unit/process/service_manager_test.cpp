@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a service manager such as systemd hears of a process.
+// The messages of a process to a service manager such as systemd.
 #include "runtime/process/service_manager.hpp"
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// The test in the place of the service manager: an abstract socket of this process.
+/// The test in place of the service manager: an abstract socket of this process.
 class ServiceManager : public testing::Test {
  protected:
   ServiceManager() {
@@ -39,7 +39,7 @@ class ServiceManager : public testing::Test {
     unsetenv("NOTIFY_SOCKET");
     unsetenv("WATCHDOG_USEC");
   }
-  /// What has come since the last call.
+  /// The messages since the last call.
   [[nodiscard]] std::vector<std::string> heard() const {
     std::vector<std::string> all;
     std::array<char, 256> text{};

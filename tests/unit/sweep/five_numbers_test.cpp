@@ -14,7 +14,7 @@ std::array<double, 5> in_order(const FiveNumbers& five) {
   return {five.minimum, five.lower_quartile, five.median, five.upper_quartile, five.maximum};
 }
 
-// The expected values are those of NumPy's percentile() and of R's quantile(), both as they come.
+// The expected values are those of NumPy's percentile() and R's quantile(), both with their defaults.
 TEST(FiveNumbers, InterpolateLinearlyBetweenTheSortedValues) {
   EXPECT_EQ(in_order(*five_numbers({4, 1, 3, 2})), (std::array{1.0, 1.75, 2.5, 3.25, 4.0}));
   EXPECT_EQ(in_order(*five_numbers({5, 1, 4, 2, 3})), (std::array{1.0, 2.0, 3.0, 4.0, 5.0}));

@@ -11,10 +11,10 @@
 #include "experiment/metrics/metrics_json.hpp"
 #include "experiment/sweep/plan.hpp"
 
-/// A sweep's folder and what runs leave in it, without running anything.
+/// The folder of a sweep and the files of its runs, without running anything.
 namespace caravan::experiment {
 
-/// Removed at the end of the test.
+/// A folder that is removed at the end of the test.
 class Folder {
  public:
   Folder() {

@@ -75,7 +75,7 @@ TEST_F(SweepFolders, HoldAnyNumberOfTasksButOneSweepOnly) {
   const auto first = claim(plan_, Claim::kTask);
   const auto second = claim(plan_, Claim::kTask, 1);
   EXPECT_EQ(refusal(plan_, Claim::kSummarise), "");
-  loop_.stop();  // nobody waits for the folder to be free
+  loop_.stop();  // do not wait until the folder is free
   EXPECT_THAT(refusal(plan_), testing::HasSubstr("another sweep is using it"));
 }
 

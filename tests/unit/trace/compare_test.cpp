@@ -16,7 +16,7 @@ TracedStep step() {
                     .heard = {{2, {{0, {1, 2}}}}}}};
 }
 
-/// "robot quantity: one | other" of each difference after `change` to the second step.
+/// "robot quantity: one | other" for each difference after `change` was applied to the second step.
 template <typename Change>
 std::vector<std::string> found(Change change) {
   const TracedStep one = step();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// docs/digest.md against the programs.
+// The programs agree with docs/digest.md.
 #include "runtime/pure/digest.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ void write_poses(std::string& bytes, const world::World& world) {
 TEST(DocumentedDigest, HasTheBytesOfTheWorldsSteps) {
   world::World world{world::empty_world(10.0, 2)};
   std::string bytes;
-  // Left, right, closed; none for robot 2 in the second step.
+  // Left, right, gripper closed; no command for robot 2 in the second step.
   const std::vector<std::vector<std::optional<world::Command>>> told = {
       {world::Command{0.25, -0.5, true}, world::Command{-0.0, 1.0, false}},
       {world::Command{1.5, 1.5, true}, std::nullopt},

@@ -20,7 +20,7 @@ using runtime::TraceFile;
 class TraceFiles : public testing::Test {
  protected:
   [[nodiscard]] std::filesystem::path file() const { return folder_.path() / "world.trace"; }
-  /// Every whole step in the file.
+  /// The whole steps in the file.
   [[nodiscard]] std::vector<Bytes> steps(bool* cut_off = nullptr) const {
     TraceReader reader{file(), kWorldTrace};
     std::vector<Bytes> all;
@@ -112,7 +112,7 @@ TEST(TracedSteps, ThatAreNotWholeOrTooLongAreRefused) {
   EXPECT_THROW((void)read_world_step(world, 1), std::runtime_error);
   Bytes radio(24, 0);
   EXPECT_NO_THROW((void)read_radio_step(radio));
-  radio[8] = 1;  // a transmission that is not there
+  radio[8] = 1;  // announces a transmission that is missing
   EXPECT_THROW((void)read_radio_step(radio), std::runtime_error);
   std::fill(radio.begin(), radio.end(), std::uint8_t{0xff});
   EXPECT_THROW((void)read_radio_step(radio), std::runtime_error);

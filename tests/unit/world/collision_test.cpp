@@ -14,9 +14,9 @@ namespace caravan::world {
 namespace {
 
 constexpr double kFullSpeed = 1.6;
-constexpr double kMayPressIn = 0.06;  // m, for the moment of an impact
+constexpr double kMayPressIn = 0.06;  // m, at the moment of an impact
 constexpr double kMaySettleIn = 0.01;
-constexpr double kSharpTip = 0.04;  // the last of an acute corner has no body (see ring_of_boxes)
+constexpr double kSharpTip = 0.04;  // m, the tip of an acute corner without a body (see ring_of_boxes)
 
 Point at(const Pose& pose) { return {pose.x_m, pose.y_m}; }
 
@@ -30,7 +30,7 @@ Polygon hull_of(const Pose& pose, double shrunk_by) {
                   .height_m = 0.2});
 }
 
-/// Do the convex polygons overlap? By separating axes.
+/// Whether two convex polygons overlap, by the separating axis theorem.
 bool overlap(const Polygon& a, const Polygon& b) {
   for (const Polygon* edges : {&a, &b}) {
     for (std::size_t i = 0; i < edges->size(); ++i) {
@@ -43,8 +43,8 @@ bool overlap(const Polygon& a, const Polygon& b) {
   return true;
 }
 
-/// Depth to which the hull is pressed into the solid: how far it must shrink until no corner of one is in the
-/// other.
+/// Depth to which the hull is pressed into the solid: how far it must shrink until no corner of either is
+/// inside the other.
 double pressed_in(const Pose& pose, const Solid& solid) {
   for (double depth = 0.0; depth < 0.19; depth += 0.002) {
     const Polygon hull = hull_of(pose, depth);
@@ -56,7 +56,8 @@ double pressed_in(const Pose& pose, const Solid& solid) {
   return 0.19;
 }
 
-/// Drives one robot against a solid for 6 s; the deepest that its hull gets in, and that it stays in.
+/// The result of driving one robot against a solid for 6 s: the depth that its hull reaches, and the depth at
+/// the end.
 struct Impact {
   double deepest = 0.0;
   double at_end = 0.0;
@@ -78,7 +79,7 @@ Impact ram(const WorldConfig& config, const Solid& solid, const Pose& start, dou
   return impact;
 }
 
-/// Head-on, oblique, grazing, forwards and backwards, from all around, onto a solid around the origin.
+/// Rams a solid around the origin from all sides: head-on, oblique, grazing, forwards and backwards.
 void ram_from_all_sides(const WorldConfig& config, const Solid& solid, double may_settle_in = kMaySettleIn) {
   int touched = 0;
   for (double side = 0.0; side < 2.0 * std::numbers::pi; side += 0.37) {
@@ -181,7 +182,7 @@ TEST(Collision, ARobotDoesNotPassThroughOneThatStands) {
   }
 }
 
-// Everybody heads for the same point at full speed and keeps pushing.
+// All robots drive towards the same point at full speed and keep pushing.
 TEST(Collision, NobodyPassesThroughAnybodyInACrowd) {
   constexpr std::uint32_t kCrowd = 12;
   const WorldConfig config = empty_world(12.0, kCrowd);
@@ -233,7 +234,7 @@ TEST(Collision, RobotsThatAreNotSolidPassThroughEachOtherAndNotThroughWalls) {
 
 TEST(Collision, ReportsWhoTouchesWhatAndNothingElse) {
   const WorldConfig config = empty_world(6.0, 3);
-  // 1 drives into 3, 2 drives into the wall behind it.
+  // Robot 1 drives into robot 3; robot 2 drives into the wall ahead of it.
   Dynamics physics{config, std::array{Pose{-1.0, 0.0, 0.0}, Pose{0.0, 2.0, 0.0}, Pose{0.5, 0.0, 0.0}}};
   physics.advance();
   EXPECT_TRUE(physics.touches().empty());

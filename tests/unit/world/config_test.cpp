@@ -16,7 +16,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// A whole scenario with other lines in place of some of its lines.
+/// A whole scenario in which some lines can be replaced.
 struct Scenario {
   std::string robots = "source_m = [-4.0, -4.0]\ndestination_m = [4.0, 4.0]\n";
   std::string experiment = "items = 4\n";
@@ -27,7 +27,7 @@ struct Scenario {
         "[robots]\n" + robots + "[experiment]\n" + experiment + "[radio]\n[algorithm]\n[world]\n" + world;
     return load_world_config(runtime::TomlDocument::parse(text, "test.toml"));
   }
-  /// What the refusal says; fails the test when there is none.
+  /// The message of the refusal; fails the test if there is none.
   [[nodiscard]] std::string refusal() const {
     try {
       static_cast<void>(load());

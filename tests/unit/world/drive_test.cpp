@@ -11,7 +11,7 @@
 namespace caravan::world {
 namespace {
 
-/// One robot on an empty floor, somewhere and at some angle.
+/// One robot on an empty floor, at an arbitrary pose.
 class Robot {
  public:
   explicit Robot(double arena_m = 100.0)
@@ -25,7 +25,7 @@ class Robot {
     }
   }
   [[nodiscard]] Pose pose() const { return physics_.poses()[0]; }
-  /// All turning so far, not wrapped.
+  /// The total angle turned so far, not wrapped.
   [[nodiscard]] double turned() const { return turned_; }
   [[nodiscard]] Dynamics& physics() { return physics_; }
 
@@ -46,7 +46,7 @@ TEST_P(Drive, GoesStraightAtTheSpeedOfItsRims) {
   const double speed = GetParam();
   Robot robot;
   robot.physics().drive(0, speed, speed);
-  robot.run(1.6);  // until it has the speed
+  robot.run(1.6);  // until it has reached its speed
   const Pose from = robot.pose();
   robot.run(16.0);
   const Pose to = robot.pose();
@@ -92,7 +92,8 @@ TEST_P(Drive, TurnsBothWaysAlike) {
   EXPECT_NEAR(left.turned(), -right.turned(), 1e-3 * left.turned());
 }
 
-// The outer rim at the speed, the inner one at half of it: the base goes round a circle of 1.5 tracks.
+// The outer rim has the full speed and the inner one half of it: the base follows a circle with a radius of
+// 1.5 tracks.
 TEST_P(Drive, FollowsAnArcOfTheRightRadiusAtTheRightRate) {
   const double speed = GetParam();
   const double middle = 0.75 * speed;
@@ -126,7 +127,8 @@ TEST_P(Drive, CountsItsWheelAngles) {
 
 INSTANTIATE_TEST_SUITE_P(Speeds, Drive, ::testing::Values(0.3, 1.2));
 
-// Neither robots elsewhere nor their number change a bit of it: in the open, in a crowd, against a wall.
+// Robots elsewhere and their number do not change a single bit of a robot's motion: in the open, in a crowd,
+// against a wall.
 TEST(Fleet, MovesARobotAsIfItWereAlone) {
   const WorldConfig config = empty_world(20.0, 1);
   const std::array starts{Pose{3.0, -2.0, 0.7}, Pose{-4.0, 4.0, 0.0},  Pose{-3.3, 4.0, 3.0},

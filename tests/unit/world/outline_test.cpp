@@ -11,7 +11,7 @@
 namespace caravan::world {
 namespace {
 
-/// A star-shaped polygon with corners of every kind, sharp and reflex.
+/// A star-shaped polygon with convex and reflex corners of many angles.
 Outline random_star(std::uint64_t seed) {
   pure::Random random{seed};
   Outline outline;
@@ -35,7 +35,8 @@ TEST(RingOfBoxes, LiesInsideTheOutline) {
   }
 }
 
-// A body is kept off every point of the outline by a box: its own edge's, or at a tip the neighbour's.
+// Every point of the outline is covered by a box: that of its own edge or, at a tip, that of the neighbouring
+// edge.
 TEST(RingOfBoxes, CoversTheWholeOutlineButTheLastOfSharpTips) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(seed);

@@ -20,14 +20,14 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// Bodies that no scenario may have, for what ODE makes of them.
+/// Bodies that no scenario may have, to provoke errors of ODE.
 WorldConfig with_wheels_of(double radius_m) {
   WorldConfig config = empty_world(20.0, 1);
   config.robots.wheel_radius_m = radius_m;
   return config;
 }
 
-/// What ends a minute of driving such robots, or is the first complaint; empty: nothing.
+/// The error that ends a minute of driving such robots, or the first complaint; empty if there is neither.
 std::string end_of(const WorldConfig& config, std::span<const Pose> starts) {
   try {
     Dynamics dynamics{config, starts};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Robots that are taken out of the world and put back in.
+// Robots that are removed from the world and put back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using Commands = std::vector<std::optional<Command>>;
 constexpr Pose kWest{-3.0, 0.0, 0.0};
 constexpr Pose kEast{3.0, 0.0, 0.0};
 
-/// Robot 1 looks east, at robot 2, which is as far away as given.
+/// Robot 1 faces east towards robot 2, at this distance.
 World facing_pair(double apart_m) {
   World world{empty_world(30.0, 2)};
   EXPECT_EQ(world.place(2, {9.0, 9.0, 0.0}), "");
@@ -84,7 +84,7 @@ TEST(Presence, WhatARemovedRobotHeldCanBeDeliveredByOthers) {
   WorldConfig config = empty_world(20.0, 2);
   config.robots.source_m = {-3.0, 0.0};
   config.robots.destination_m = {-2.0, 0.0};
-  config.experiment.items = 1;  // and one more for each robot at the source: three
+  config.experiment.items = 1;  // three in all: one more for each robot at the source
   World world{config};
   EXPECT_EQ(world.place(2, kWest), "");
   EXPECT_EQ(world.place(1, kEast), "");

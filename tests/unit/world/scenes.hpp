@@ -10,7 +10,7 @@
 #include "tests/unit/world/worlds.hpp"
 #include "world_server/sensors/sonar.hpp"
 
-/// Random scenes, and each ray against every surface in them: the oracle of the sonars.
+/// Random scenes, and a test oracle for the sonars that intersects each ray with every surface.
 namespace caravan::world {
 inline constexpr double kNoEcho = std::numeric_limits<double>::infinity();
 
@@ -31,7 +31,7 @@ inline Outline random_outline(pure::Random& random, Point centre) {
   return outline;
 }
 
-/// Solids of all kinds and heights, robots anywhere, even inside them.
+/// Solids of all kinds and heights, and robots anywhere, even inside solids.
 inline Scene random_scene(std::uint64_t seed, bool with_outlines) {
   pure::Random random{seed};
   Scene scene{empty_world(16.0, 8), {}};
@@ -88,7 +88,7 @@ struct Meeting {
   double cosine = -1.0;
 };
 
-/// The side of a prism from p to q.
+/// The intersection of a ray with the side of a prism from p to q.
 inline Meeting meet_side(Point p, Point q, double height, Point from, const Ray& ray) {
   const Point side = q - p;
   const double inwards = cross(side, ray.flat) / length(side);
@@ -113,7 +113,7 @@ inline Meeting meet_disc(const Solid& solid, Point from, const Ray& ray) {
   return {distance, -dot(outwards, ray.flat)};
 }
 
-/// The nearest surface along a ray, among all there are.
+/// The intersection of a ray with the nearest of all surfaces.
 inline Meeting nearest(const std::vector<Solid>& solids, Point from, const Ray& ray) {
   Meeting best;
   const auto keep = [&](Meeting one) {
@@ -136,7 +136,7 @@ inline Meeting nearest(const std::vector<Solid>& solids, Point from, const Ray& 
 
 inline Point turned(Point a, double angle) { return placed(a, {}, std::cos(angle), std::sin(angle)); }
 
-/// Calls visit(transducer, place, world ray) for every ray of a robot.
+/// Calls visit(sonar, position, ray), both in frame W, for every ray of a robot.
 template <typename Visit>
 void for_each_ray(const Scene& scene, const Pose& pose, Visit visit) {
   for (std::size_t i = 0; i < kSonarCount; ++i) {

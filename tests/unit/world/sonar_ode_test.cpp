@@ -7,7 +7,7 @@
 namespace caravan::world {
 namespace {
 
-/// ODE's bodies for the same scene, and its answer for one ray.
+/// The same scene as ODE bodies, and the answer of ODE for one ray.
 class OdeScene {
  public:
   OdeScene(const Scene& scene, std::size_t robot) {
@@ -77,7 +77,7 @@ TEST(SonarProperty, AgreesWithTheRaysOfTheRigidBodyLibrary) {
       const OdeScene ode{scene, robot};
       for_each_ray(scene, scene.poses[robot], [&](std::size_t, Point from, const Ray& ray) {
         for (const Solid& solid : solids) {
-          if (contains(solid, from)) return;  // ODE's rays see surfaces from inside
+          if (contains(solid, from)) return;  // ODE also reports surfaces seen from inside
         }
         const Meeting ours = nearest(solids, from, ray);
         const Meeting theirs = ode.cast(from, ray);

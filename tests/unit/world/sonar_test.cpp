@@ -16,7 +16,7 @@ namespace {
 constexpr double kNoEcho = std::numeric_limits<double>::infinity();
 constexpr std::size_t kAheadRight = 4;  // at (0.166, -0.027), looking 10 degrees to the right
 
-/// What one robot hears at a pose, others elsewhere.
+/// The ranges of the first of the robots at these poses.
 std::array<double, kSonarCount> heard(const WorldConfig& config, const std::vector<Pose>& poses) {
   Sonars sonars{config};
   sonars.place(poses);
@@ -66,7 +66,8 @@ TEST(Sonar, SeesNothingBehindASurfaceThatLosesTheRay) {
 
 TEST(Sonar, TakesTheNearestEchoOfItsRays) {
   WorldConfig config = empty_world(100.0, 1);
-  // Beside the axis, within the cone of 0.2 rad: only the rim's ray to the left meets it.
+  // The cylinder is beside the axis, within the cone of 0.2 rad: only the ray at the left edge of the cone
+  // meets it.
   config.cylinders.push_back({.centre_m = {3.0, 3.0 * std::tan(0.2)}, .radius_m = 0.2, .height_m = 1.0});
   config.robots.sonar.rays = 3;
   EXPECT_LT(heard(config, {looking_along_x()})[kAheadRight], 3.0);

@@ -80,8 +80,8 @@ TEST(Starts, FailOnlyWhenTheArenaIsFull) {
       break;
     }
   }
-  // Discs of 0.4 m on 3.2 x 3.2 m of centres: a random packing that no further one fits into covers half of
-  // it.
+  // Discs of 0.4 m whose centres lie in 3.2 x 3.2 m: a random packing into which no further one fits covers
+  // about half of the area.
   EXPECT_GE(most, 12U);
   EXPECT_LE(most, 25U);
 }

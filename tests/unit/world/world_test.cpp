@@ -25,7 +25,7 @@ WorldConfig shipped(const std::string& name) {
       runtime::TomlDocument::load(std::string{CARAVAN_SOURCE_DIR} + "/deploy/scenarios/" + name + ".toml"));
 }
 
-/// Everybody wanders at random; every sense is read.
+/// All robots wander at random, and all their sensors are read. @return the hash chain
 std::uint64_t wander(World& world, std::uint32_t robots, std::uint64_t seed, int steps) {
   pure::Random random{seed};
   Commands commands(robots);
@@ -164,7 +164,7 @@ TEST(World, SensesItsTruePlaceWithoutNoise) {
   for (const double age : senses.sonar_age_s) EXPECT_EQ(age, 0.0);
 }
 
-// The shipped scenario gives each robot as much room as fifteen have.
+// With 1000 robots the shipped scenario gives each as much space as with 15.
 TEST(World, HoldsAThousandRobots) {
   std::ostringstream text;
   text << std::ifstream{std::string{CARAVAN_SOURCE_DIR} + "/deploy/scenarios/scaling.toml"}.rdbuf();

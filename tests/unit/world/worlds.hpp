@@ -8,10 +8,10 @@
 #include "runtime/pure/angle.hpp"
 #include "world_server/config/world_config.hpp"
 
-/// Worlds to test in.
+/// Worlds for tests.
 namespace caravan::world {
 
-/// The physics steps in a step that the shipped scenarios use.
+/// The number of physics steps in a step of the shipped scenarios.
 inline constexpr std::uint32_t kSubsteps = WorldConfig{}.substeps;
 
 /// An empty square arena with the start area around its middle.

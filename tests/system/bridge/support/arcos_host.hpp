@@ -15,7 +15,7 @@
 
 namespace caravan::test {
 
-/// A host on TCP: says what it is told, collects what comes.
+/// A host over TCP: sends the given packets and collects those that it receives.
 class Host {
   using Bytes = bridge::arcos::Bytes;
   using Order = bridge::arcos::Order;
@@ -33,7 +33,7 @@ class Host {
     if (!bytes) return socket_.reset();
     for (Bytes& data : packets_.feed(*bytes)) heard_.push_back(std::move(data));
   }
-  /// The next packet within the tests' patience.
+  /// The next packet; none if it does not arrive within `kPatience`.
   [[nodiscard]] std::optional<Bytes> next() {
     (void)eventually(
         [&] {
@@ -46,7 +46,7 @@ class Host {
     heard_.erase(heard_.begin());
     return first;
   }
-  /// The next SIP for which `wanted(sip)` holds, saying `meanwhile` all the time.
+  /// The next SIP for which `wanted(sip)` holds. Sends `meanwhile` after each packet that it reads.
   template <typename Wanted>
   [[nodiscard]] std::optional<Sip> sip(Wanted wanted,
                                        const Bytes& meanwhile = bridge::arcos::encode(Order::kPulse)) {

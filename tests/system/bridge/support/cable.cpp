@@ -51,7 +51,7 @@ void Cable::plug_in(Ends& ends) const {
   Socket bridge{accept4(listener_.descriptor(), nullptr, nullptr, SOCK_CLOEXEC)};
   if (state_ == State::kPulled) return;
   if (ends.device.descriptor() >= 0) {
-    (void)ends.device.read(0ms);  // what it has said meanwhile is lost
+    (void)ends.device.read(0ms);  // what the device sent meanwhile is lost
   } else if (auto device = Socket::to(device_)) {
     ends.device = std::move(*device);
   } else {
@@ -74,7 +74,7 @@ void Cable::carry(Ends& ends) const {
     ends = Ends{};
   } else if (watched[0].revents != 0 && !pass(ends.bridge, ends.device, false)) {
     ends.bridge = Socket{-1};
-    // As on a serial line: who stands behind a cut does not see that the other end is closed.
+    // As on a serial line: beyond a cut a device cannot tell that the other end is closed.
     const State state = state_;
     if (state != State::kFrozen && state != State::kGarbled) ends.device = Socket{-1};
   }
@@ -112,7 +112,7 @@ bool Cable::pass(const Socket& from, const Socket& to, bool to_bridge) const {
   return to.write(*bytes);
 }
 
-/// Puts `bytes` behind what waits and takes out what the line has room for by now.
+/// Appends `bytes` to the waiting ones, then sets it to those that the line can carry by now.
 void Cable::slow_down(std::vector<std::uint8_t>& bytes) const {
   constexpr double kBytesPerSecond = 350.0;
   const auto now = std::chrono::steady_clock::now();

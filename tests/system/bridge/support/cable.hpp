@@ -14,8 +14,7 @@
 
 namespace caravan::test {
 
-/// A cable between a bridge and an emulated device, that a test can pull, cut through or put noise on. TCP at
-/// both ends.
+/// A cable between a bridge and an emulated device, over TCP. A test can pull it, cut it or add noise.
 class Cable {
  public:
   /// @param device  the device's port
@@ -24,20 +23,20 @@ class Cable {
   Cable(const Cable&) = delete;
   Cable& operator=(const Cable&) = delete;
 
-  /// Where the bridge connects.
+  /// The port to which the bridge connects.
   [[nodiscard]] std::uint16_t port() const { return port_; }
 
   enum class State : std::uint8_t {
     kWhole,
-    kPulled,   ///< both ends see the connection end, none is made
-    kFrozen,   ///< nothing comes through, nobody is told, not even that an end is closed
-    kGarbled,  ///< every byte is another one; the same
-    kOneWay,   ///< what the bridge says does not come through; nobody is told
-    kSlow,     ///< 350 bytes a second from device to bridge; the rest waits
-    kNoisy     ///< whole, with random bytes between what the device says
+    kPulled,   ///< both ends see the connection close; no new one is made
+    kFrozen,   ///< carries nothing; hides that an end has closed
+    kGarbled,  ///< replaces every byte; hides that an end has closed
+    kOneWay,   ///< silently drops what the bridge sends
+    kSlow,     ///< carries 350 bytes a second from device to bridge; the rest waits
+    kNoisy     ///< whole, but adds random bytes to those of the device
   };
   void set(State state) { state_ = state; }
-  /// Whatever the device says goes through `change` on its way to the bridge.
+  /// Passes everything that the device sends through `change` on its way to the bridge.
   void change(std::function<std::vector<std::uint8_t>(const std::vector<std::uint8_t>&)> change) {
     const std::lock_guard lock{mutex_};
     change_ = std::move(change);
@@ -61,7 +60,7 @@ class Cable {
   std::atomic<bool> ending_{false};
   mutable std::mutex mutex_;
   std::function<std::vector<std::uint8_t>(const std::vector<std::uint8_t>&)> change_;
-  // Of the slow line; the thread's own.
+  // State of the slow line; used by the thread only.
   mutable std::vector<std::uint8_t> waiting_;
   mutable std::chrono::steady_clock::time_point slow_since_;
   mutable std::size_t carried_ = 0;

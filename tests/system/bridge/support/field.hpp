@@ -13,29 +13,29 @@
 
 namespace caravan::test {
 
-/// Scenario: `robots` robots in an empty room of 8 x 8 m, free pacing, source and destination 3.5 m apart.
+/// A scenario: `robots` robots in an empty room of 8 x 8 m, free pacing, source and destination 3.8 m apart.
 [[nodiscard]] std::string room(std::uint32_t robots, std::uint32_t items);
 
-/// A domain of the test's own, with a world whose robots stand behind bridges.
+/// A domain of its own for each test, and programs in it: a world, emulated Pioneers, bridges, agents.
 class Field : public ::testing::Test {
  protected:
-  /// Started as a user starts them; each ends with its owner.
+  /// Starts a program as a user would. It ends when the returned process is destroyed.
   [[nodiscard]] std::unique_ptr<Process> start(const std::string& program,
                                                std::vector<std::string> options) const;
   /// @param bodies  as for --bodies
   [[nodiscard]] std::unique_ptr<Process> start_world(const std::string& scenario_text,
                                                      const std::string& bodies);
-  /// An emulated Pioneer, and where it listens.
+  /// An emulated Pioneer and its ports.
   struct Robot {
     std::unique_ptr<Process> process;
     std::uint16_t port = 0;
     std::uint16_t gps_port = 0;
   };
-  /// @param again  where it listened before it was killed
+  /// @param again  the robot that was killed; the new one gets its ports
   [[nodiscard]] Robot start_robot(std::uint32_t number, const Robot* again = nullptr) const;
 
   [[nodiscard]] std::unique_ptr<Process> start_agent(std::uint32_t number) const;
-  /// An emulated Pioneer with all that stands behind it, by TCP.
+  /// An emulated Pioneer with its bridge, connected by TCP, and its agent.
   struct BridgedRobot {
     Robot robot;
     std::unique_ptr<Process> bridge;
@@ -46,7 +46,8 @@ class Field : public ::testing::Test {
   };
   [[nodiscard]] BridgedRobot start_bridged(std::uint32_t number) const;
 
-  /// At once, as by kill -9; what it leaves in shared memory goes with the test.
+  /// Kills with SIGKILL. The files that the process leaves in shared memory are removed at the end of the
+  /// test.
   void kill_at_once(Process& process);
 
   [[nodiscard]] std::filesystem::path scenario_file() const { return folder_ / "field.toml"; }
@@ -62,17 +63,17 @@ class Field : public ::testing::Test {
   mutable int started_ = 0;
 };
 
-/// Where robot `robot` truly is, newest first.
+/// The poses that the world publishes.
 class Truth {
  public:
   explicit Truth(const runtime::BusConfig& bus) : truths_{bus, idl::kTruth} {}
-  /// Waits for the first. @return false when none comes
+  /// Waits for the first sample. @return false if none comes
   [[nodiscard]] bool is_there() const {
     return truths_.first([](const caravan_interfaces::msg::WorldTruth&) { return true; }).has_value();
   }
-  /// Simulated time of the newest.
+  /// Simulated time of the newest sample.
   [[nodiscard]] std::chrono::nanoseconds now() const;
-  /// Simulated time from `since` until the robot had come to rest.
+  /// Simulated time from `since` until the robot last moved.
   [[nodiscard]] std::chrono::nanoseconds rest_after(std::uint32_t robot,
                                                     std::chrono::nanoseconds since) const;
   [[nodiscard]] bool drives(std::uint32_t robot) const {
@@ -85,7 +86,7 @@ class Truth {
   }
   [[nodiscard]] std::optional<caravan_interfaces::msg::RobotTruth> of(std::uint32_t robot) const;
   [[nodiscard]] std::uint32_t items_delivered() const;
-  /// How far the robot moved in the last `span` of simulated time; none before so much has passed.
+  /// Distance between the positions now and `span` of simulated time ago; none while the run is shorter.
   [[nodiscard]] std::optional<double> moved_m(std::uint32_t robot, std::chrono::nanoseconds span) const;
 
  private:

@@ -9,12 +9,12 @@
 
 namespace caravan::test {
 
-/// The test in the place of a robot's agent: answers every frame with a command of its choice.
+/// The test in place of the agent of a robot: answers every frame with a command of its choice.
 class PlayedAgent {
  public:
   using Frame = caravan_interfaces::msg::SensorFrame;
   using Command = caravan_interfaces::msg::RobotCommand;
-  /// Fills in what the command shall be; stamp and session are there. False: no answer.
+  /// Fills in the command; its stamp and session are already set. @return false: send no answer
   using Choose = std::function<bool(const Frame& frame, Command& command)>;
 
   PlayedAgent(const runtime::BusConfig& bus, std::uint32_t robot, Choose choose)
@@ -50,7 +50,7 @@ class PlayedAgent {
   runtime::Bus bus_;  // last, so that no callback outlives the rest
 };
 
-/// Always these speeds.
+/// Always commands these speeds.
 [[nodiscard]] inline PlayedAgent::Choose drives(double left_mps, double right_mps) {
   return [=](const PlayedAgent::Frame&, PlayedAgent::Command& command) {
     command.left_mps(left_mps);

@@ -14,11 +14,11 @@
 
 namespace caravan::test {
 
-/// Why this machine has no pseudo-terminals, in place of serial ports; empty when it has them.
+/// Why this machine has no pseudo-terminals to use as serial ports; empty if it has them.
 [[nodiscard]] std::string no_terminals_because();
 
-/// A serial line to an emulated robot: a terminal of the kernel with the robot's bytes behind it. Bytes that
-/// are sent at another baud rate than the robot's arrive as others, in both directions.
+/// A serial line to an emulated robot: a pseudo-terminal that carries the robot's bytes. If the baud rate at
+/// the other end differs from the robot's, bytes arrive corrupted in both directions.
 class SerialCable {
  public:
   SerialCable(std::uint16_t robot, speed_t robots_rate);
@@ -35,7 +35,7 @@ class SerialCable {
 
   speed_t robots_rate_;
   int near_ = -1;  // our end of the terminal
-  int held_ = -1;  // its other end: the terminal outlives a bridge that closes it
+  int held_ = -1;  // its other end, held open: the terminal outlives a bridge that closes it
   std::filesystem::path path_;
   std::optional<Socket> robot_;
   std::atomic<bool> ending_{false};

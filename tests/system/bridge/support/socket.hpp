@@ -10,19 +10,19 @@
 
 namespace caravan::test {
 
-/// A TCP connection on 127.0.0.1, closed with its owner.
+/// A TCP connection on 127.0.0.1; closed by its destructor.
 class Socket {
  public:
-  /// Connects. @return nothing when nobody listens
+  /// Connects. @return none if nothing listens there
   static std::optional<Socket> to(std::uint16_t port);
   explicit Socket(int descriptor) : descriptor_{descriptor} {}
   ~Socket();
   Socket(Socket&& other) noexcept;
   Socket& operator=(Socket&& other) noexcept;
 
-  /// False: the other end is gone.
+  /// @return false if the other end is gone
   bool write(std::span<const std::uint8_t> bytes) const;
-  /// What arrives within `patience`; none: the other end is gone.
+  /// The bytes that arrive within `patience`, possibly none. @return none if the other end is gone
   [[nodiscard]] std::optional<std::vector<std::uint8_t>> read(std::chrono::milliseconds patience) const;
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
