@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The emulated Pioneer, with the test in the place of its host: any program that drives a real one can drive
-// it.
+// An emulated Pioneer as its host sees it: commands, motion, sonars and GPS.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +14,7 @@
 #include "hardware_bridge/core/nmea/sentence.hpp"
 #include "hardware_bridge/core/pose/arena_projection.hpp"
 #include "tests/system/bridge/support/arcos_host.hpp"
-#include "tests/system/bridge/support/field.hpp"
+#include "tests/system/bridge/support/arcos_robot.hpp"
 #include "tests/system/bridge/support/socket.hpp"
 
 namespace caravan::test {
@@ -28,33 +27,14 @@ using bridge::arcos::Sip;
 using namespace std::chrono_literals;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::SizeIs;
 
-/// Bytes as they are written down: "FA FB 03".
+/// Bytes from their notation in hexadecimal: "FA FB 03".
 Bytes from_hex(const std::string& text) {
   Bytes bytes;
   std::istringstream in{text};
   for (unsigned byte = 0; in >> std::hex >> byte;) bytes.push_back(static_cast<std::uint8_t>(byte));
   return bytes;
 }
-
-class ArcosRobot : public Field {
- protected:
-  void SetUp() override {
-    world_ = start_world(room(1, 0), "1");
-    robot_ = start_robot(1);
-    ASSERT_TRUE(world_->prints("started robots=1", kPatience))
-        << world_->output() << robot_.process->output();
-    ASSERT_TRUE(truth_.is_there());
-  }
-  static Bytes wheels(double left_mps, double right_mps) {
-    return encode(Order::kWheelSpeeds, bridge::arcos::wheel_speeds_argument(left_mps, right_mps));
-  }
-
-  std::unique_ptr<Process> world_;
-  Robot robot_;
-  Truth truth_{bus()};
-};
 
 TEST_F(ArcosRobot, ShakesHandsAsAPioneerDoes) {
   Host host{robot_.port};
@@ -72,7 +52,7 @@ TEST_F(ArcosRobot, ShakesHandsAsAPioneerDoes) {
   EXPECT_TRUE(host.sip([](const Sip&) { return true; })) << robot_.process->output();
 }
 
-/// The packets that the commonest library for Pioneers sends, with its way of opening, configuring and
+/// The packets of the most common client library for Pioneers, in its order of opening, configuring and
 /// closing.
 TEST_F(ArcosRobot, AProgramForRealPioneersConfiguresMovesTurnsAndCloses) {
   Host host{robot_.port};
@@ -102,7 +82,7 @@ TEST_F(ArcosRobot, AProgramForRealPioneersConfiguresMovesTurnsAndCloses) {
   host.say(from_hex("FA FB 06 06 3B 2C 01 32 3C"));  // SETV 300
   host.say(from_hex("FA FB 06 0A 3B 3C 00 46 3B"));  // SETRV 60
   const auto begin = truth_.of(1);
-  host.say(from_hex("FA FB 06 08 1B C8 00 D0 1B"));  // MOVE -200: the robot stands near a wall
+  host.say(from_hex("FA FB 06 08 1B C8 00 D0 1B"));  // MOVE -200, since the robot stands near a wall
   ASSERT_TRUE(host.sip([](const Sip& sip) { return sip.left_mmps < -50; }));
   ASSERT_TRUE(host.sip([](const Sip& sip) { return !sip.moving; }));
   ASSERT_TRUE(truth_.rests(1));
@@ -117,7 +97,7 @@ TEST_F(ArcosRobot, AProgramForRealPioneersConfiguresMovesTurnsAndCloses) {
   host.say(from_hex("FA FB 06 04 3B 00 00 04 3B"));  // ENABLE 0
   ASSERT_TRUE(host.sip([](const Sip& sip) { return (sip.flags & bridge::arcos::kMotorsOn) == 0; }));
   host.say(from_hex("FA FB 06 02 3B 01 00 03 3B"));  // CLOSE 1
-  host.say(from_hex("FA FB 06 63 3B 01 00 64 3B"));  // 99: not while it is closed
+  host.say(from_hex("FA FB 06 63 3B 01 00 64 3B"));  // 99: not reported while the robot is closed
   EXPECT_THAT(robot_.process->output(), Not(HasSubstr("does not know")));
 }
 
@@ -176,42 +156,6 @@ TEST_F(ArcosRobot, SonarsComeInTurnAndSeeTheWorld) {
       << "some wall of the room";
 }
 
-TEST_F(ArcosRobot, AHostThatHangsUpStopsTheWheels) {
-  Host host{robot_.port};
-  host.open();
-  ASSERT_TRUE(host.sip([](const Sip& sip) { return sip.left_mmps < -50; }, wheels(-0.1, 0.1)));
-  host.hang_up();
-  EXPECT_TRUE(robot_.process->prints("the host has gone", kPatience));
-  EXPECT_TRUE(truth_.rests(1));
-  Host second{robot_.port};
-  second.open();
-  EXPECT_TRUE(second.sip([](const Sip&) { return true; })) << "the next one is welcome";
-}
-
-TEST_F(ArcosRobot, AHostThatConnectsAgainAtOnceIsLetInEachTime) {
-  std::optional<Host> host{robot_.port};
-  for (int times = 0; times < 10; ++times) {
-    host->say(encode(Order::kPulse));
-    ASSERT_TRUE(host->next()) << "time " << times << "\n" << robot_.process->output();
-    host.reset();
-    host.emplace(robot_.port);
-  }
-}
-
-TEST_F(ArcosRobot, AHostThatReadsNothingIsLetGoAndTheWheelsStop) {
-  Host host{robot_.port};
-  host.open();
-  ASSERT_TRUE(host.sip([](const Sip& sip) { return sip.left_mmps < -50; }, wheels(-0.1, 0.1)));
-  EXPECT_TRUE(eventually(
-      [&] {
-        for (int i = 0; i < 500; ++i) host.say(encode(Order::kConfig));
-        return !host.is_connected();
-      },
-      kPatience));
-  EXPECT_TRUE(robot_.process->prints("the host has gone", kPatience)) << robot_.process->output();
-  EXPECT_TRUE(truth_.rests(1));
-}
-
 TEST_F(ArcosRobot, TheWatchdogStopsARobotWhoseHostSaysNothing) {
   Host host{robot_.port};
   host.open();
@@ -225,46 +169,7 @@ TEST_F(ArcosRobot, TheWatchdogStopsARobotWhoseHostSaysNothing) {
       kPatience));
 }
 
-TEST_F(ArcosRobot, TakesOneHostAtATime) {
-  Host first{robot_.port};
-  first.open();
-  ASSERT_TRUE(first.sip([](const Sip&) { return true; }));
-  Host second{robot_.port};
-  second.say(encode(Order::kPulse));
-  EXPECT_EQ(second.next(), std::nullopt);
-  EXPECT_TRUE(robot_.process->prints("a host was turned away: 127.0.0.1:", kPatience));
-  EXPECT_TRUE(first.sip([](const Sip&) { return true; }));
-}
-
-TEST_F(ArcosRobot, WhoeverSendsNoPacketLosesTheLineToAHost) {
-  Host silent{robot_.port};
-  EXPECT_TRUE(robot_.process->prints("has sent no ARCOS packet for 5 s", kPatience));
-  Host host{robot_.port};
-  host.open();
-  EXPECT_TRUE(host.sip([](const Sip&) { return true; })) << robot_.process->output();
-}
-
-TEST_F(ArcosRobot, ItsGpsReceiverServesOneClientAndSaysWhoWasTurnedAway) {
-  const auto first = Socket::to(robot_.gps_port);
-  const auto speaks = [](const Socket& client) { return !client.read(50ms).value_or(Bytes{}).empty(); };
-  ASSERT_TRUE(eventually([&] { return speaks(*first); }, kPatience));
-  const auto second = Socket::to(robot_.gps_port);
-  EXPECT_TRUE(robot_.process->prints("a client of the GPS receiver was turned away: 127.0.0.1:", kPatience));
-  EXPECT_TRUE(eventually([&] { return !second->read(50ms); }, kPatience)) << "the connection ends";
-  EXPECT_TRUE(eventually([&] { return speaks(*first); }, kPatience));
-}
-
-TEST_F(ArcosRobot, OfTwoWithOneNumberTheSecondEndsAndNamesTheFirst) {
-  const Robot second = start_robot(1);
-  EXPECT_EQ(second.process->wait(kPatience), 2) << second.process->output();
-  EXPECT_THAT(second.process->output(), HasSubstr("robot 1 is already served by arcos_robot 1, pid " +
-                                                  std::to_string(robot_.process->pid())));
-  Host host{robot_.port};
-  host.open();
-  EXPECT_TRUE(host.sip([](const Sip& sip) { return sip.left_mmps < -50; }, wheels(-0.1, 0.1)));
-}
-
-/// What the GPS receiver on a port tells first, in the arena of room().
+/// The first position that the GPS receiver on `port` reports, in the arena of room().
 std::optional<bridge::Point> told_by_gps(std::uint16_t port) {
   const auto receiver = Socket::to(port);
   if (!receiver) return std::nullopt;
@@ -303,50 +208,6 @@ TEST_F(Field, TheGpsReceiverStandsWhereTheAntennaIsMounted) {
   const double yaw = base->yaw_rad();
   EXPECT_NEAR(told->x_m, base->x_m() - std::cos(yaw) - 0.5 * std::sin(yaw), 0.02);
   EXPECT_NEAR(told->y_m, base->y_m() - std::sin(yaw) + 0.5 * std::cos(yaw), 0.02);
-}
-
-TEST_F(Field, ARobotWithoutABodySaysWhatIsMissing) {
-  const auto world = start_world(room(1, 0), "");
-  const Robot robot = start_robot(1);
-  EXPECT_TRUE(robot.process->prints("nobody serves rt/body_1/sensors in DDS domain " +
-                                        std::to_string(lock_.domain()) +
-                                        ", hosts are turned away: start world_server there with --bodies 1",
-                                    kPatience))
-      << robot.process->output();
-  Host host{robot.port};
-  EXPECT_TRUE(robot.process->prints("a host was turned away: the robot has no body yet", kPatience));
-}
-
-TEST_F(ArcosRobot, AnotherSessionOfTheWorldIsARobotSwitchedOffAndOn) {
-  Host host{robot_.port};
-  host.open();
-  ASSERT_TRUE(host.sip([](const Sip&) { return true; }));
-  kill_at_once(*world_);
-  world_ = start_world(room(1, 0), "1");
-  EXPECT_TRUE(eventually(
-      [&] {
-        host.listen(50ms);
-        host.say(encode(Order::kPulse));
-        return !host.is_connected();
-      },
-      kPatience))
-      << "the connection ends";
-  EXPECT_TRUE(eventually(
-      [&] {
-        Host again{robot_.port};
-        again.say(encode(Order::kPulse));
-        return again.next() == Bytes{0};
-      },
-      kPatience));
-}
-
-TEST_F(Field, BodiesNeedFreePacing) {
-  auto world = start_world(replaced(room(1, 0), "\"free\"", "\"fast\""), "1");
-  EXPECT_EQ(world->wait(kPatience), 2);
-  EXPECT_THAT(world->output(), HasSubstr("--bodies: experiment.pacing must be \"free\""));
-  auto other = start_world(room(1, 0), "2");
-  EXPECT_EQ(other->wait(kPatience), 2);
-  EXPECT_THAT(other->output(), HasSubstr("--bodies"));
 }
 
 }  // namespace
