@@ -43,6 +43,17 @@ void read_links(Words& words, msg::ControlRequest& request) {
   }
   request.robots(words.robots());
   if (!words.is_empty() && words.peek() != "at") request.others(words.robots());
+  if (request.robots().size() == 1 && request.others() == request.robots())
+    throw WordsError{"robot " + std::to_string(request.robots()[0]) +
+                     " has no link to itself: name two robots"};
+}
+
+double read_loss(Words& words) {
+  const std::string text = words.word("the loss");
+  const auto loss = parsed<double>(text);
+  if (!loss || !(*loss >= 0.0 && *loss <= 1.0))
+    throw WordsError{"the loss must be a number from 0 to 1, is \"" + text + "\""};
+  return *loss;
 }
 
 void read_radio(Words& words, msg::ControlRequest& request) {
@@ -54,7 +65,7 @@ void read_radio(Words& words, msg::ControlRequest& request) {
   if (words.take_if("cut")) {
     request.loss_probability(1.0);
   } else if (words.take_if("degrade")) {
-    request.loss_probability(words.number("the loss, 0 to 1"));
+    request.loss_probability(read_loss(words));
   } else if (words.take_if("heal")) {
     request.loss_probability(std::numeric_limits<double>::quiet_NaN());
   } else {

@@ -78,6 +78,9 @@ TEST(ControlWords, SayWhatIsWrong) {
   EXPECT_THAT(error_of("pause now"), HasSubstr("one word too many"));
   EXPECT_THAT(error_of("pause at 0"), HasSubstr("must be at least 1"));
   EXPECT_THAT(error_of("radio melt 1"), HasSubstr("cut, degrade, heal or clear"));
+  for (const char* loss : {"nan", "-0.1", "1.1", "much"})
+    EXPECT_THAT(error_of("radio degrade " + std::string{loss} + " 1"), HasSubstr("from 0 to 1"));
+  EXPECT_THAT(error_of("radio cut 1 1"), HasSubstr("no link to itself"));
   EXPECT_THAT(error_of("radio cut 4-2"), HasSubstr("is not a robot"));
   EXPECT_THAT(error_of("step -1"), HasSubstr("whole number"));
   EXPECT_EQ(read_control(Words{split("fly 3")}), std::nullopt);
