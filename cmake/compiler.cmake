@@ -46,6 +46,15 @@ function(caravan_library name)
   endif()
 endfunction()
 
+# caravan_parts_of_shared(NAME...): these static libraries can be linked into a shared one. Nobody replaces their functions there, so calls
+# between them stay direct.
+function(caravan_parts_of_shared)
+  set_target_properties(${ARGN} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  foreach(name IN LISTS ARGN)
+    target_compile_options(${name} PRIVATE -fno-semantic-interposition)
+  endforeach()
+endfunction()
+
 # caravan_executable(NAME SOURCES... LINK ...)
 function(caravan_executable name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})

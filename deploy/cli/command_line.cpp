@@ -40,7 +40,7 @@ void add_transport(CLI::App& app, runtime::Transport& transport) {
   app.add_option_function<std::string>(
          "--transport", [&](const std::string& text) { transport = runtime::transport_named(text); },
          "DDS transport. shm: shared memory; udp: unicast on 127.0.0.1; FILE.xml: a profile, see "
-         "deploy/fastdds")
+         "docs/hosts.md")
       ->check(runtime::complaint_about_transport)
       ->default_str(to_text(transport));
 }
@@ -169,6 +169,11 @@ Command read_command_line(int argc, const char* const* argv) {
   check->add_option("scenario", check_command.scenario, "Scenario file (TOML)")
       ->required()
       ->check(complaint_about_name);
+  NewCommand new_command;
+  CLI::App* new_project = app.add_subcommand(
+      "new", "Write a project of your own: controller, scenario, test (see docs/your_own_agent.md)");
+  new_project->add_option("name", new_command.name, "Name of the project and its folder: lower_snake_case")
+      ->required();
   ReportCommand report_command;
   CLI::App* report = app.add_subcommand("report", "Draw the figures of recorded runs: one page, SVG and PNG");
   add_report_options(*report, report_command);
@@ -194,6 +199,7 @@ Command read_command_line(int argc, const char* const* argv) {
   }
   run_command.embedded = engine == "embedded";
   if (check->parsed()) return check_command;
+  if (new_project->parsed()) return new_command;
   if (diff->parsed()) return diff_command;
   if (sweep->parsed()) return sweep_command;
   if (report->parsed()) return report_command;

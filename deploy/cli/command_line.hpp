@@ -17,6 +17,10 @@ struct CheckCommand {
   std::filesystem::path scenario;
 };
 
+struct NewCommand {
+  std::string name;
+};
+
 struct RunCommand {
   std::filesystem::path scenario;
   bool embedded = false;  ///< engine embedded instead of dds
@@ -86,8 +90,8 @@ struct Exit {
   int code = 0;
 };
 
-using Command = std::variant<CheckCommand, RunCommand, DiffCommand, SweepCommand, ReportCommand, CtlCommand,
-                             DeployCommand, DoctorCommand, Exit>;
+using Command = std::variant<CheckCommand, NewCommand, RunCommand, DiffCommand, SweepCommand, ReportCommand,
+                             CtlCommand, DeployCommand, DoctorCommand, Exit>;
 
 /// Reads the command line of `caravan`. An error is one line on standard error and exit code 2.
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);

@@ -7,6 +7,7 @@
 
 #include "deploy/cli/check_scenario.hpp"
 #include "deploy/cli/command_line.hpp"
+#include "deploy/cli/new_project.hpp"
 #include "deploy/cli/plan_sweep.hpp"
 #include "deploy/control/run_ctl.hpp"
 #include "deploy/doctor/run_doctor.hpp"
@@ -20,6 +21,7 @@
 #include "runtime/config/start_error.hpp"
 #include "runtime/config/write_error.hpp"
 #include "runtime/host/domain_lock.hpp"
+#include "runtime/process/data_folder.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/process/streams.hpp"
 #include "runtime/pure/one_line.hpp"
@@ -31,6 +33,14 @@ using namespace caravan;
 int check(const deploy::CheckCommand& command) {
   (void)deploy::check_scenario(runtime::TomlDocument::load(command.scenario));
   std::printf("%s: good\n", command.scenario.c_str());
+  return runtime::kDone;
+}
+
+int write_new(const deploy::NewCommand& command) {
+  for (const auto& file :
+       deploy::write_project(command.name, runtime::data_folder() / "templates" / "my_swarm"))
+    std::printf("%s\n", file.c_str());
+  std::printf("Next: cd %s, and do what its README.md says.\n", command.name.c_str());
   return runtime::kDone;
 }
 
@@ -110,6 +120,7 @@ int sweep(const deploy::SweepCommand& command) {
 
 int obey(const deploy::Exit& exit) { return exit.code; }
 int obey(const deploy::CheckCommand& command) { return check(command); }
+int obey(const deploy::NewCommand& command) { return write_new(command); }
 int obey(const deploy::RunCommand& command) { return run(command); }
 int obey(const deploy::DiffCommand& command) {
   return experiment::diff_runs(command.one, command.other, stdout);

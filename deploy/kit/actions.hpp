@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include <caravan/condition.hpp>
 #include "deploy/control/words.hpp"
-#include "deploy/kit/condition.hpp"
 #include "idl/control_types.hpp"
 
 namespace caravan::deploy {

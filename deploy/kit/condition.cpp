@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/kit/condition.hpp"
+#include <caravan/condition.hpp>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
+
+#include "deploy/kit/quantities.hpp"
 
 namespace caravan::deploy {
 namespace {

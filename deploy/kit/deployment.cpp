@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/kit/deployment.hpp"
+#include <caravan/deployment.hpp>
+
+#include <dlfcn.h>
 
 #include <cerrno>
 #include <fstream>
 #include <utility>
 
+#include "deploy/kit/actions.hpp"
 #include "deploy/kit/effective_scenario.hpp"
+#include "deploy/kit/processes.hpp"
+#include "deploy/kit/run_listener.hpp"
+#include "runtime/bus/transport.hpp"
 #include "runtime/config/toml_table.hpp"
 #include "runtime/config/write_error.hpp"
+#include "runtime/host/domain_lock.hpp"
 #include "runtime/pure/overload.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 
@@ -47,10 +54,30 @@ experiment::RunFacts facts_of(const fs::path& scenario) {
               std::chrono::duration<double>(experiment.max_time_s))};
 }
 
+/// The folder of the file that holds this code: the kit's shared library, or a program. Empty: not known.
+fs::path own_folder() {
+  Dl_info file{};
+  std::error_code error;
+  if (dladdr(reinterpret_cast<const void*>(&own_folder), &file) == 0 || file.dli_fname == nullptr) return {};
+  return fs::canonical(file.dli_fname, error).parent_path();
+}
+
+/// Beside the kit's library or the test, or in the folder bin beside theirs.
 fs::path folder_of_binaries(const DeploymentOptions& options) {
   if (!options.binaries.empty()) return options.binaries;
-  const fs::path own = fs::read_symlink("/proc/self/exe").parent_path();
-  return fs::exists(own / "world_server") ? own : own.parent_path() / "bin";
+  const fs::path beside_test = fs::read_symlink("/proc/self/exe").parent_path();
+  for (const fs::path& folder : {own_folder(), beside_test}) {
+    for (const fs::path& place : {folder, folder.parent_path() / "bin"}) {
+      if (fs::exists(place / "world_server")) return place;
+    }
+  }
+  return beside_test;
+}
+
+runtime::Transport transport_of(const DeploymentOptions& options) {
+  const std::string wrong = runtime::complaint_about_transport(options.transport);
+  if (!wrong.empty()) throw runtime::StartError{"transport: " + wrong};
+  return runtime::transport_named(options.transport);
 }
 
 double seconds(Clock::duration time) { return std::chrono::duration<double>(time).count(); }
@@ -63,8 +90,39 @@ std::string listed(const std::vector<std::string>& names) {
 
 }  // namespace
 
-Deployment::Deployment(DeploymentOptions options)
+class Deployment::Parts {
+ public:
+  explicit Parts(DeploymentOptions options);
+  ~Parts();
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  ActionResult act(const std::string& line);
+  ActionResult expect(const std::string& name, const Condition& condition, std::chrono::milliseconds within);
+  ActionResult step_until(const Condition& condition, std::uint64_t most);
+  [[nodiscard]] Seen seen();
+  [[nodiscard]] std::uint32_t domain() const { return lock_.domain(); }
+  [[nodiscard]] std::uint32_t robots() const { return robots_; }
+  [[nodiscard]] const fs::path& folder() const { return options_.folder; }
+
+ private:
+  ActionResult ask(const msg::ControlRequest& request);
+  ActionResult hold_at(std::uint64_t step);
+  [[nodiscard]] std::string scene(const Seen& seen) const;
+
+  DeploymentOptions options_;
+  runtime::Transport transport_;
+  runtime::DomainLock lock_;  // before the first file: if the domain is taken, nothing is left behind
+  fs::path scenario_file_;
+  std::uint32_t robots_ = 0;
+  Processes processes_;
+  std::unique_ptr<RunListener> listener_;
+  Clock::time_point noted_{};
+};
+
+Deployment::Parts::Parts(DeploymentOptions options)
     : options_{std::move(options)},
+      transport_{transport_of(options_)},
       lock_{options_.domain},
       scenario_file_{write_scenario(options_)},
       robots_{runtime::read_robots(runtime::TomlDocument::load(scenario_file_)).count},
@@ -72,7 +130,7 @@ Deployment::Deployment(DeploymentOptions options)
                           .agent = options_.agent,
                           .scenario = scenario_file_,
                           .domain = lock_.domain(),
-                          .transport = options_.transport,
+                          .transport = transport_,
                           .lease_s = options_.lease_s},
                   .folder = options_.folder,
                   .robots = robots_,
@@ -86,22 +144,22 @@ Deployment::Deployment(DeploymentOptions options)
       listener_{std::make_unique<RunListener>(runtime::BusConfig{.role = RunListener::kName,
                                                                  .domain = lock_.domain(),
                                                                  .lease_s = options_.lease_s,
-                                                                 .transport = options_.transport},
+                                                                 .transport = transport_},
                                               facts_of(scenario_file_), options_.hold_start)} {}
 
-Deployment::~Deployment() {
+Deployment::Parts::~Parts() {
   processes_.note_shared_memory();
   processes_.stop_all();
 }
 
-ActionResult Deployment::ask(const msg::ControlRequest& request) {
+ActionResult Deployment::Parts::ask(const msg::ControlRequest& request) {
   const ControlAnswer answer = listener_->ask(request, kControlPatience);
   if (answer.is_good()) return {true, ""};
   if (answer.kind == ControlAnswer::Kind::kRefused) return {false, "refused: " + answer.reason};
   return {false, answer.reason + "\n" + scene(seen())};
 }
 
-ActionResult Deployment::hold_at(std::uint64_t step) {
+ActionResult Deployment::Parts::hold_at(std::uint64_t step) {
   msg::ControlRequest pause;
   pause.action(msg::ControlRequest_Constants::PAUSE);
   pause.at_step(step);
@@ -110,7 +168,7 @@ ActionResult Deployment::hold_at(std::uint64_t step) {
   return expect("the world is held at step " + std::to_string(step), Condition{text}, kHoldPatience);
 }
 
-ActionResult Deployment::step_until(const Condition& condition, std::uint64_t most) {
+ActionResult Deployment::Parts::step_until(const Condition& condition, std::uint64_t most) {
   if (condition.asks_for("sends")) listener_->overhear();
   for (std::uint64_t taken = 0; !condition.holds(seen()); ++taken) {
     const Seen now = seen();
@@ -127,7 +185,7 @@ ActionResult Deployment::step_until(const Condition& condition, std::uint64_t mo
   return {true, ""};
 }
 
-ActionResult Deployment::act(const std::string& line) {
+ActionResult Deployment::Parts::act(const std::string& line) {
   const auto began = Clock::now();
   ActionResult result = std::visit(
       pure::Overload{[this](const ProcessAction& action) {
@@ -147,7 +205,7 @@ ActionResult Deployment::act(const std::string& line) {
   return result;
 }
 
-Seen Deployment::seen() {
+Seen Deployment::Parts::seen() {
   Seen seen = listener_->seen();
   seen.processes = processes_.seen();
   if (const auto world = seen.processes.find("world"); world != seen.processes.end()) {
@@ -156,8 +214,8 @@ Seen Deployment::seen() {
   return seen;
 }
 
-ActionResult Deployment::expect(const std::string& name, const Condition& condition,
-                                std::chrono::milliseconds within) {
+ActionResult Deployment::Parts::expect(const std::string& name, const Condition& condition,
+                                       std::chrono::milliseconds within) {
   if (condition.asks_for("sends")) listener_->overhear();
   const auto began = Clock::now();
   for (;;) {
@@ -180,7 +238,7 @@ ActionResult Deployment::expect(const std::string& name, const Condition& condit
   }
 }
 
-std::string Deployment::scene(const Seen& seen) const {
+std::string Deployment::Parts::scene(const Seen& seen) const {
   std::string text = "  world: " + seen.state + ", session " + std::to_string(seen.sessions) + ", step " +
                      std::to_string(seen.step) + ", members " + std::to_string(seen.members) + ", items " +
                      std::to_string(seen.items) + "; missing " + listed(seen.missing) + "; hung " +
@@ -195,5 +253,21 @@ std::string Deployment::scene(const Seen& seen) const {
   for (std::size_t i = first; i < seen.events.size(); ++i) text += "\n    " + seen.events[i];
   return text + "\n  logs: " + options_.folder.string();
 }
+
+Deployment::Deployment(DeploymentOptions options) : parts_{std::make_unique<Parts>(std::move(options))} {}
+Deployment::~Deployment() = default;
+
+ActionResult Deployment::act(const std::string& line) { return parts_->act(line); }
+ActionResult Deployment::expect(const std::string& name, const Condition& condition,
+                                std::chrono::milliseconds within) {
+  return parts_->expect(name, condition, within);
+}
+ActionResult Deployment::step_until(const Condition& condition, std::uint64_t most) {
+  return parts_->step_until(condition, most);
+}
+Seen Deployment::seen() { return parts_->seen(); }
+std::uint32_t Deployment::domain() const { return parts_->domain(); }
+std::uint32_t Deployment::robots() const { return parts_->robots(); }
+const fs::path& Deployment::folder() const { return parts_->folder(); }
 
 }  // namespace caravan::deploy

@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include <caravan/seen.hpp>
 #include "deploy/kit/actions.hpp"
 #include "deploy/kit/process.hpp"
-#include "deploy/kit/seen.hpp"
 #include "deploy/launcher/run_commands.hpp"
 #include "runtime/host/shared_memory.hpp"
 

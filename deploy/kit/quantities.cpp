@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "deploy/kit/process.hpp"
+#include "deploy/kit/tally.hpp"
 
 namespace caravan::deploy {
 namespace {

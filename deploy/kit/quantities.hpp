@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
-#include <vector>
 
+#include <caravan/condition.hpp>
 #include "deploy/control/words.hpp"
-#include "deploy/kit/seen.hpp"
 
 namespace caravan::deploy {
-
-/// A number, a word, or a list of names; none: no value yet.
-using Value = std::optional<std::variant<double, std::string, std::vector<std::string>>>;
-using Quantity = std::function<Value(const Seen&)>;
 
 /// One quantity of expectations.
 struct QuantityForm {

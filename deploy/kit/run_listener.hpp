@@ -9,8 +9,9 @@
 #include <optional>
 #include <string>
 
+#include <caravan/seen.hpp>
 #include "deploy/control/requester.hpp"
-#include "deploy/kit/seen.hpp"
+#include "deploy/kit/tally.hpp"
 #include "deploy/observer/listen.hpp"
 #include "deploy/observer/step_book.hpp"
 #include "idl/control_types.hpp"

@@ -8,8 +8,10 @@
 #include <fstream>
 #include <vector>
 
-#include "deploy/kit/deployment.hpp"
+#include <caravan/deployment.hpp>
+#include "deploy/kit/actions.hpp"
 #include "deploy/kit/junit.hpp"
+#include "deploy/kit/quantities.hpp"
 #include "deploy/kit/script.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/config/write_error.hpp"
@@ -89,7 +91,7 @@ int run_script(const ScriptRequest& request, runtime::Loop& loop) {
                            .controller = request.controller,
                            .folder = folder,
                            .domain = request.domain,
-                           .transport = request.transport,
+                           .transport = to_text(request.transport),
                            .lease_s = script.lease_s,
                            .agents_per_process = script.agents_per_process,
                            .hold_start = script.hold_start,

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "deploy/kit/condition.hpp"
+#include <caravan/condition.hpp>
 
 namespace caravan::deploy {
 

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "runtime/config/start_error.hpp"
+#include "runtime/process/data_folder.hpp"
 #include "runtime/process/run_process.hpp"
 
 namespace caravan::experiment {
@@ -26,14 +27,10 @@ constexpr std::chrono::seconds kPatience{1800};
 /// Debian's own interpreter, for which its matplotlib is installed.
 constexpr const char* kPython = "/usr/bin/python3";
 
-/// Searched from build/<preset>/bin in the tree, or at the tree's path when this was built.
 fs::path drawing_program() {
-  const fs::path here = fs::read_symlink("/proc/self/exe").parent_path();
-  for (const fs::path& tree : {here / "../../..", fs::path{CARAVAN_SOURCE_TREE}}) {
-    const fs::path program = tree / "experiment/report/report.py";
-    if (fs::is_regular_file(program)) return program.lexically_normal();
-  }
-  throw runtime::StartError{"caravan report: experiment/report/report.py is not where it was built"};
+  fs::path program = runtime::data_folder() / "report/report.py";
+  if (fs::is_regular_file(program)) return program;
+  throw runtime::StartError{"caravan report: " + program.string() + " is missing: install Caravan anew"};
 }
 
 /// Starts the program with no signal blocked, so that Ctrl-C ends it.

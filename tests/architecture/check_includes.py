@@ -10,6 +10,8 @@ import sys
 STD, POSIX, EIGEN, ODE, DDS = "std posix Eigen ode dds".split()
 CONTROLLER = "controller"  # the public headers: what a controller outside of this tree includes
 ROBOT_TYPES, TRUTH_TYPES, GENERATED = "robot-types truth-types generated".split()
+KIT = "kit"  # the public headers of the test kit: for tests outside of this tree as well
+KIT_HEADERS = re.compile(r"caravan/(condition|deployment|deployment_test|seen)\.hpp")
 TOML, JSON, LOG, CLI, GTEST = "toml++ json spdlog CLI11 gtest".split()
 CONFIG = ["runtime/config", "runtime/scenario", "runtime/pure"]
 PROCESS = [STD, POSIX, LOG, "runtime", "idl"]
@@ -53,8 +55,10 @@ ALLOWED = {
     "experiment/report": [STD, POSIX, "runtime/config", "runtime/process"],
     "deploy/observer": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "experiment/metrics"],
     "deploy/launcher": [*PROCESS, DDS, TRUTH_TYPES, "deploy/observer", "experiment/metrics", "experiment/run_request.hpp"],
-    "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, GTEST, "deploy/control", "deploy/observer",
+    "deploy/kit": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, TOML, KIT, "deploy/control", "deploy/observer",
                    "deploy/launcher/run_commands.hpp", "experiment/metrics", "robot_agent/core/radio/frames"],
+    "deploy/kit/include": [STD, POSIX, GTEST, KIT],
+    "deploy/templates": [STD, CONTROLLER, KIT],
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
     "deploy/controllers": [STD, CONTROLLER],
     "deploy/doctor": [STD, POSIX, "runtime"],
@@ -93,6 +97,8 @@ def kind_of(bracket, name, top_folders):
         if first in top_folders and "/" in name:
             return name
         return GENERATED if GENERATED_HEADERS.fullmatch(name) else None
+    if KIT_HEADERS.fullmatch(name):
+        return KIT
     if first in OUTSIDE and "/" in name:
         return OUTSIDE[first]
     if POSIX_HEADERS.fullmatch(name):

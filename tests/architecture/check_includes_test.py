@@ -60,6 +60,13 @@ class CheckIncludes(unittest.TestCase):
             self.assert_breach(f"experiment/{folder}/any.cpp", '#include "deploy/launcher/run_dds.hpp"\n')
         self.assert_breach("runtime/host/children.cpp", line)
 
+    def test_the_kit_is_for_tests(self):
+        line = "#include <caravan/deployment.hpp>\n"
+        self.assertEqual(breaches({"deploy/kit/run_script.cpp": line, "deploy/templates/my_swarm/my_swarm_test.cpp": line}), [])
+        self.assert_breach("robot_agent/shell/agent_shell.cpp", line)
+        self.assert_breach("deploy/controllers/braitenberg.cpp", line)
+        self.assert_breach("deploy/kit/include/caravan/seen.hpp", '#include "deploy/kit/tally.hpp"\n')
+
     def test_a_core_has_no_clock_thread_file_or_hash_order(self):
         self.assert_breach("robot_agent/core/agent.cpp", "auto now = std::chrono::steady_clock::now();\n")
         for header in ("thread", "fstream", "random", "unordered_map"):

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "deploy/kit/tally.hpp"
 #include "runtime/bus/reach.hpp"
 #include "runtime/bus/shared_memory_port.hpp"
 #include "tests/system/support/patient_deployment.hpp"
@@ -159,7 +160,7 @@ TEST_F(DeploymentKit, RobotsThatShareAProcessDieAndComeBackTogether) {
 }
 
 TEST_F(DeploymentKit, GoesByTheTransportThatItIsTold) {
-  deploy({.scenario = scenario("small.toml"), .transport = runtime::Transport::kUdp, .lease_s = 60.0});
+  deploy({.scenario = scenario("small.toml"), .transport = "udp", .lease_s = 60.0});
   ASSERT_TRUE(does("start all"));
   ASSERT_TRUE(happens("it runs", "members is 4 and step > 50"));
   for (const auto& [name, process] : seen().processes) {

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <string>
 
-#include "deploy/kit/deployment_test.hpp"
+#include <caravan/deployment_test.hpp>
 #include "tests/support/patience.hpp"
 
 namespace caravan::test {

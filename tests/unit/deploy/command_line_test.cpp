@@ -46,6 +46,12 @@ TEST(CommandLine, ARunWithoutOptionsChangesNothingAndUsesDds) {
   EXPECT_EQ(run.agents_per_process, 1U);
 }
 
+TEST(CommandLine, ANewProjectHasOneName) {
+  EXPECT_EQ(std::get<NewCommand>(read({"new", "my_swarm"})).name, "my_swarm");
+  EXPECT_THAT(complaint({"new"}), testing::HasSubstr("name"));
+  EXPECT_THAT(complaint({"new", "a", "b"}), testing::HasSubstr("b"));
+}
+
 TEST(CommandLine, AReportTakesAnyNumberOfFoldersAndAtLeastOne) {
   const auto command = read({"report", "runs/a", "runs/b", "--out", "/tmp/x"});
 

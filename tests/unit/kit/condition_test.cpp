@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "deploy/kit/condition.hpp"
+#include <caravan/condition.hpp>
+
+#include "deploy/control/words.hpp"
+#include "deploy/kit/tally.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,22 +2,30 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
-#include "deploy/kit/quantities.hpp"
-#include "deploy/kit/seen.hpp"
+#include <caravan/seen.hpp>
 
 namespace caravan::deploy {
+
+class Words;
+
+/// A number, a word, or a list of names; none: no value yet.
+using Value = std::optional<std::variant<double, std::string, std::vector<std::string>>>;
+using Quantity = std::function<Value(const Seen&)>;
 
 /// A condition on the state at one moment: `gone has "robot 2" and members is 3`.
 ///
 /// Each part is a quantity, a comparison (is, is not, <, <=, >, >=, has, lacks) and a value; parts are joined
-/// by `and`. A quantity without a value yet fulfils no comparison.
+/// by `and`. A quantity without a value yet fulfils no comparison. `caravan deploy --help` lists the
+/// quantities.
 class Condition {
  public:
-  /// @throws WordsError
+  /// @throws WordsError, a std::runtime_error
   explicit Condition(const std::string& text);
   /// A condition in C++; `text` describes it.
   Condition(std::string text, std::function<bool(const Seen&)> holds);

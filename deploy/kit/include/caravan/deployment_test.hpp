@@ -10,11 +10,11 @@
 #include <memory>
 #include <string>
 
-#include "deploy/kit/deployment.hpp"
+#include <caravan/deployment.hpp>
 
 namespace caravan::deploy {
 
-/// GoogleTest fixture for tests of deployments; docs/deployment_tests.md is its tutorial.
+/// GoogleTest fixture for tests of deployments; deployment_tests.md is its tutorial.
 ///
 /// deploy() takes a DDS domain for this test only and a folder for the logs, which is kept if the test fails.
 /// The actions and expectations are those of `caravan deploy`.

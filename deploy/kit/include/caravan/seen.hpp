@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "deploy/kit/tally.hpp"
-
 namespace caravan::deploy {
+
+class Tally;
 
 /// An observer's knowledge of one robot in this session.
 struct SeenRobot {
@@ -62,7 +62,7 @@ struct Seen {
   std::map<std::uint32_t, SeenRobot> robots;
   std::map<std::string, SeenProcess> processes;  ///< by name: world, radio, robot 3
   std::deque<std::string> events;                ///< the latest few, as text
-  std::shared_ptr<const Tally> tally;            ///< of this session; null: no world yet
+  std::shared_ptr<const Tally> tally;            ///< for `metric` and `event` of this session
 };
 
 }  // namespace caravan::deploy

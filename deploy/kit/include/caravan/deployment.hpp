@@ -11,13 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "deploy/kit/actions.hpp"
-#include "deploy/kit/condition.hpp"
-#include "deploy/kit/processes.hpp"
-#include "deploy/kit/run_listener.hpp"
-#include "deploy/kit/seen.hpp"
-#include "runtime/bus/transport.hpp"
-#include "runtime/host/domain_lock.hpp"
+#include <caravan/condition.hpp>
+#include <caravan/seen.hpp>
 
 namespace caravan::deploy {
 
@@ -26,11 +21,11 @@ struct DeploymentOptions {
   std::string changes = {};                  ///< TOML that overrides it: `experiment.items = 10`
   std::string controller = {};               ///< replaces `controller.library`; an absolute path
   std::filesystem::path folder = {};         ///< exists; receives the effective scenario and the logs
-  std::filesystem::path binaries = {};       ///< of world_server etc.; empty: beside this program, or ../bin
+  std::filesystem::path binaries = {};       ///< of world_server etc.; empty: those installed with the kit
   std::filesystem::path agent = {};          ///< program in the place of robot_agent; empty: none
   std::optional<std::uint32_t> domain = {};  ///< none: a free one
-  runtime::Transport transport = runtime::Transport::kSharedMemory;  ///< of every process, and of the kit
-  double lease_s = 2.0;                  ///< of every process: silent for this long, it counts as gone
+  std::string transport = "shm";  ///< of every process, and of the kit: shm, udp, or a profile FILE.xml
+  double lease_s = 2.0;           ///< of every process: silent for this long, it counts as gone
   std::uint32_t agents_per_process = 1;  ///< number of robots that share a process
   bool hold_start = false;               ///< the world begins only after the action `go`
   std::map<std::string, std::vector<std::string>> arguments = {};  ///< additional ones, by process name
@@ -49,6 +44,8 @@ struct ActionResult {
 ///
 /// Nothing runs before the first action `start`. Every wait has a deadline and names its condition. The
 /// destructor stops all processes and removes their files in shared memory.
+///
+/// The exceptions that it throws are derived from std::exception; their text is one line.
 class Deployment {
  public:
   /// @throws runtime::StartError when the scenario cannot be read or no domain is free
@@ -68,22 +65,13 @@ class Deployment {
   ActionResult step_until(const Condition& condition, std::uint64_t most);
 
   [[nodiscard]] Seen seen();
-  [[nodiscard]] std::uint32_t domain() const { return lock_.domain(); }
-  [[nodiscard]] std::uint32_t robots() const { return robots_; }
-  [[nodiscard]] const std::filesystem::path& folder() const { return options_.folder; }
+  [[nodiscard]] std::uint32_t domain() const;
+  [[nodiscard]] std::uint32_t robots() const;
+  [[nodiscard]] const std::filesystem::path& folder() const;
 
  private:
-  ActionResult ask(const caravan_interfaces::msg::ControlRequest& request);
-  ActionResult hold_at(std::uint64_t step);
-  [[nodiscard]] std::string scene(const Seen& seen) const;
-
-  DeploymentOptions options_;
-  runtime::DomainLock lock_;  // before the first file: if the domain is taken, nothing is left behind
-  std::filesystem::path scenario_file_;
-  std::uint32_t robots_ = 0;
-  Processes processes_;
-  std::unique_ptr<RunListener> listener_;
-  std::chrono::steady_clock::time_point noted_{};
+  class Parts;
+  std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace caravan::deploy

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+namespace caravan::runtime {
+
+/// The folder of the files that this program uses at run time: share/caravan beside the folder of the
+/// program. In a build tree its entries are links to the sources.
+[[nodiscard]] std::filesystem::path data_folder();
+
+}  // namespace caravan::runtime
