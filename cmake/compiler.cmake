@@ -6,6 +6,7 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+set(CARAVAN_PYTHON_DIR ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/caravan/python)
 
 # A fused multiply-add rounds once instead of twice, so a run would depend on the compiler's choice.
 add_compile_options(-ffp-contract=off)

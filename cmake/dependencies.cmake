@@ -15,6 +15,11 @@ find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
+# Only the modules of Python use these; no program is linked with Python, which is loaded when a controller is written in it.
+# Debian's own interpreter: it has Debian's packages, whatever python3 is first in the path.
+set(Python3_EXECUTABLE /usr/bin/python3)
+find_package(Python3 REQUIRED COMPONENTS Interpreter Development)
+find_package(pybind11 REQUIRED)
 
 find_path(ODE_INCLUDE_DIR ode/ode.h REQUIRED)
 find_library(ODE_LIBRARY ode REQUIRED)

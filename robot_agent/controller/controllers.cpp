@@ -2,7 +2,6 @@
 #include "robot_agent/controller/controllers.hpp"
 
 #include "robot_agent/controller/paper_controller.hpp"
-#include "runtime/controller/library.hpp"
 #include "runtime/controller/make.hpp"
 
 namespace caravan::agent {
@@ -13,15 +12,16 @@ std::string controller_in(const runtime::TomlDocument& scenario) {
   runtime::TomlTable table = scenario.table("controller");
   table.read("library", library);
   if (library == kPaper) return library;
-  if (library.empty()) table.fail("library", "must be \"paper\" or the path of a shared library");
+  if (library.empty())
+    table.fail("library", "must be \"paper\", or the path of a shared library or of a file of Python");
   return fs::absolute(fs::path{scenario.file()}.parent_path() / library).lexically_normal();
 }
 
 Controllers::Controllers(const runtime::TomlDocument& scenario, const std::string& library)
     : scenario_{scenario} {
   if (library != kPaper) {
-    library_ = &runtime::load_controller(library);
-    name_ = library_->name;
+    loaded_ = runtime::load_controller(library);
+    name_ = loaded_->name;
     return;
   }
   runtime::TomlTable table = scenario_.table("controller");
@@ -31,16 +31,16 @@ Controllers::Controllers(const runtime::TomlDocument& scenario, const std::strin
 }
 
 std::unique_ptr<Controller> Controllers::make(const Config& config) const {
-  if (library_ == nullptr) return std::make_unique<PaperController>(config);
+  if (!loaded_) return std::make_unique<PaperController>(config);
   runtime::TomlTable table = scenario_.table("controller");
   std::string library;
   table.read("library", library);
-  return runtime::make_controller(*library_, robot_of(config), std::move(table));
+  return runtime::make_controller(*loaded_, robot_of(config), std::move(table));
 }
 
 std::optional<Position> Controllers::destination_in_sight(const caravan::Sensors& sensors,
                                                           const Config& config) const {
-  return library_ == nullptr ? std::nullopt : agent::destination_in_sight(sensors, config);
+  return !loaded_ ? std::nullopt : agent::destination_in_sight(sensors, config);
 }
 
 }  // namespace caravan::agent

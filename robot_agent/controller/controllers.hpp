@@ -3,12 +3,14 @@
 
 #include <caravan/controller.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "robot_agent/core/config.hpp"
 #include "runtime/config/toml_table.hpp"
 #include "runtime/controller/guarded.hpp"
+#include "runtime/controller/library.hpp"
 
 namespace caravan::agent {
 
@@ -22,7 +24,7 @@ inline constexpr const char* kPaper = "paper";
 /// Makes the controllers of a scenario's robots.
 class Controllers {
  public:
-  /// @param library  kPaper or the path of a shared library
+  /// @param library  kPaper or the path of a shared library or of a file of Python
   /// @throws StartError when the library cannot be loaded
   Controllers(const runtime::TomlDocument& scenario, const std::string& library);
   explicit Controllers(const runtime::TomlDocument& scenario)
@@ -30,7 +32,7 @@ class Controllers {
 
   /// kPaper, or the name that the library gives.
   [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] bool is_paper() const { return library_ == nullptr; }
+  [[nodiscard]] bool is_paper() const { return !loaded_; }
 
   /// A new controller for a robot. @throws StartError when it cannot be constructed
   [[nodiscard]] std::unique_ptr<Controller> make(const Config& config) const;
@@ -45,7 +47,7 @@ class Controllers {
  private:
   runtime::TomlDocument scenario_;
   std::string name_ = kPaper;
-  const ControllerLibrary* library_ = nullptr;  // owned by the process; null: the paper's agent
+  std::optional<runtime::LoadedController> loaded_;  // none: the paper's agent
 };
 
 }  // namespace caravan::agent

@@ -4,14 +4,15 @@
 #include <caravan/controller.hpp>
 
 #include "runtime/config/toml_table.hpp"
+#include "runtime/controller/library.hpp"
 
 namespace caravan::runtime {
 
-/// A controller of `library` for `robot`, with the keys of `table` (`[controller]`) that nobody has read yet
-/// as its parameters.
+/// A controller for `robot`, with the keys of `table` (`[controller]`) that nobody has read yet as its
+/// parameters, and the path of its file as `library`.
 ///
 /// @throws StartError when its constructor throws, or does not ask for one of the keys
-[[nodiscard]] std::unique_ptr<Controller> make_controller(const ControllerLibrary& library,
-                                                          const Robot& robot, TomlTable table);
+[[nodiscard]] std::unique_ptr<Controller> make_controller(const LoadedController& loaded, const Robot& robot,
+                                                          TomlTable table);
 
 }  // namespace caravan::runtime

@@ -12,7 +12,7 @@ CONTROLLER = "controller"  # the public headers: what a controller outside of th
 ROBOT_TYPES, TRUTH_TYPES, GENERATED = "robot-types truth-types generated".split()
 KIT = "kit"  # the public headers of the test kit: for tests outside of this tree as well
 KIT_HEADERS = re.compile(r"caravan/(condition|deployment|deployment_test|seen)\.hpp")
-TOML, JSON, LOG, CLI, GTEST = "toml++ json spdlog CLI11 gtest".split()
+TOML, JSON, LOG, CLI, GTEST, PYBIND = "toml++ json spdlog CLI11 gtest pybind11".split()
 CONFIG = ["runtime/config", "runtime/scenario", "runtime/pure"]
 PROCESS = [STD, POSIX, LOG, "runtime", "idl"]
 
@@ -20,6 +20,7 @@ PROCESS = [STD, POSIX, LOG, "runtime", "idl"]
 ALLOWED = {
     "runtime/controller/include": [STD, CONTROLLER],
     "runtime/controller": [STD, POSIX, CONTROLLER, "runtime/config", "runtime/pure"],
+    "runtime/controller/python": [STD, POSIX, CONTROLLER, PYBIND],
     "runtime/pure": [STD, CONTROLLER],
     "runtime/config": [STD, TOML, "runtime/pure"],
     "runtime/scenario": [STD, "runtime/config", "runtime/pure"],
@@ -83,7 +84,7 @@ NAMES_OF_TRUTH = re.compile(r"idl/(world|control)_types\.hpp")
 GENERATED_HEADERS = re.compile(r"(robot|stamp|clock|world|control)(PubSubTypes)?\.h")
 POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|dlfcn|poll|termios|sched|pthread|signal|dirent|spawn|netdb|ifaddrs|arpa/.*|netinet/.*|pwd)\.h$")
 OUTSIDE = {"caravan": CONTROLLER, "Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr": DDS, "toml++": TOML,
-           "nlohmann": JSON, "spdlog": LOG, "CLI": CLI, "gtest": GTEST}
+           "nlohmann": JSON, "spdlog": LOG, "CLI": CLI, "gtest": GTEST, "pybind11": PYBIND}
 
 
 def kind_of(bracket, name, top_folders):

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "build_paths.hpp"
+#include "tests/support/sanitizers.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan {
@@ -16,6 +17,7 @@ using test::read_file;
 using testing::HasSubstr;
 
 const fs::path kLibraries = fs::path{CARAVAN_BIN_DIR}.parent_path() / "tests/controllers";
+const fs::path kPython = fs::path{CARAVAN_SOURCE_DIR} / "tests/controllers/python";
 
 class ControllerRun : public testing::Test {
  protected:
@@ -120,6 +122,58 @@ TEST_F(ControllerRun, GoesOnOverDdsWithoutTheRobotWhoseControllerFailed) {
     EXPECT_THAT(log_of(fault, "robot_agent_2"), HasSubstr("controller faulty, robot 2"));
     EXPECT_EQ(ended.metrics["sim_time_s"], 20.0);
   }
+}
+
+class PythonControllerRun : public ControllerRun {
+ protected:
+  void SetUp() override {
+    if (test::kIsSanitized) GTEST_SKIP() << "the sanitizers report Python's own memory";
+  }
+};
+
+TEST_F(PythonControllerRun, GivesTheSameDigestInBothEnginesAndAsTheSameControllerInCpp) {
+  const std::string keys = "cruise_mps = 0.5\n";
+  const std::vector<std::string> python = {"--controller", kPython / "chatterer.py"};
+  const Ended cpp = run(keys, "embedded", "cpp", {"--controller", kLibraries / "chatterer.so"});
+  const Ended embedded = run(keys, "embedded", "embedded", python);
+  ASSERT_EQ(embedded.exit_code, 0) << embedded.said;
+  EXPECT_EQ(embedded.metrics["controller"], "chatterer");
+  EXPECT_EQ(embedded.metrics["digest"], cpp.metrics["digest"]);
+  const Ended dds = run(keys, "dds", "dds", python);
+  ASSERT_EQ(dds.exit_code, 0) << dds.said;
+  EXPECT_EQ(dds.metrics["digest"], embedded.metrics["digest"]);
+  std::vector<std::string> together = python;
+  together.insert(together.end(), {"--agents-per-process", "4"});
+  EXPECT_EQ(run(keys, "dds", "together", together).metrics["digest"], embedded.metrics["digest"]);
+  EXPECT_THAT(read_file(folder_ / "dds" / "events.csv"), HasSubstr(",began,turn="));
+}
+
+TEST_F(PythonControllerRun, EndsARunThatItBreaksAndClosesItsRecords) {
+  for (const char* fault : {"throws", "nan", "nothing", "hangs"}) {
+    const Ended ended = run("at_step = 40\nfault = \"" + std::string{fault} + "\"\n", "embedded", fault,
+                            {"--controller", kPython / "faulty.py"});
+    EXPECT_EQ(ended.exit_code, 1) << ended.said;
+    EXPECT_THAT(ended.said, HasSubstr("controller faulty, robot 2, step 40"));
+    EXPECT_EQ(ended.metrics["ended"], true);
+  }
+}
+
+TEST_F(PythonControllerRun, GoesOnOverDdsWithoutTheRobotWhoseControllerFailed) {
+  for (const char* fault : {"throws", "hangs"}) {
+    const Ended ended = run("at_step = 40\nfault = \"" + std::string{fault} + "\"\n", "dds", fault,
+                            {"--controller", kPython / "faulty.py"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.said;
+    EXPECT_EQ(ended.metrics["disturbed"], true);
+    EXPECT_THAT(log_of(fault, "robot_agent_2"), HasSubstr("controller faulty, robot 2"));
+    EXPECT_EQ(ended.metrics["sim_time_s"], 20.0);
+  }
+}
+
+TEST_F(PythonControllerRun, RefusesAFileThatCannotBeImportedBeforeAnythingStarts) {
+  const Ended ended = run("", "dds", "out", {"--controller", kPython / "missing_module.py"});
+  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_THAT(ended.said, HasSubstr("missing_module.py:4: ModuleNotFoundError: No module named"));
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
 TEST_F(ControllerRun, StartsAnotherProgramInThePlaceOfTheAgent) {

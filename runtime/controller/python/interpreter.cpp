@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/controller/python/interpreter.hpp"
+
+#include <dlfcn.h>
+#include <pybind11/pybind11.h>
+
+#include <filesystem>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+
+namespace caravan::python {
+namespace py = pybind11;
+namespace {
+
+void initialise() {
+  PyConfig config;
+  PyConfig_InitPythonConfig(&config);
+  config.install_signal_handlers = 0;
+  config.parse_argv = 0;
+  config.use_hash_seed = 1;
+  config.hash_seed = 0;
+  config.buffered_stdio = 0;
+  config.write_bytecode = 0;
+  const PyStatus status = Py_InitializeFromConfig(&config);
+  PyConfig_Clear(&config);
+  if (PyStatus_Exception(status) != 0)
+    throw std::runtime_error{std::string{"Python does not start: "} +
+                             (status.err_msg == nullptr ? "no reason given" : status.err_msg)};
+  // The lock is free between the calls of controllers, whatever thread they come from.
+  (void)PyEval_SaveThread();
+}
+
+/// The folder that has this library's package.
+std::string package_folder() {
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<const void*>(&start_interpreter), &info) == 0 || info.dli_fname == nullptr)
+    throw std::runtime_error{"the folder of the Python host cannot be found"};
+  return std::filesystem::absolute(info.dli_fname).parent_path().parent_path();
+}
+
+void add_to_path(const std::string& folder) {
+  const py::gil_scoped_acquire lock;
+  auto path = py::reinterpret_borrow<py::list>(py::module_::import("sys").attr("path"));
+  if (!path.contains(folder)) path.insert(0, folder);
+}
+
+}  // namespace
+
+void start_interpreter() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    if (Py_IsInitialized() == 0) initialise();
+    add_to_path(package_folder());
+  });
+}
+
+}  // namespace caravan::python

@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Has nothing that drives."""
+
+
+class Idle:
+    pass
