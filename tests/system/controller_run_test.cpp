@@ -169,6 +169,20 @@ TEST_F(PythonControllerRun, GoesOnOverDdsWithoutTheRobotWhoseControllerFailed) {
   }
 }
 
+TEST_F(PythonControllerRun, DeliversAllItemsByVirtualPheromone) {
+  const fs::path pheromone = fs::path{CARAVAN_SOURCE_DIR} / "deploy/controllers/pheromone.py";
+  Process process{{"caravan", "run", test::scenario("small.toml"), "--engine", "embedded", "--controller",
+                   pheromone, "--quiet", "--out", folder_ / "out"},
+                  folder_ / "out.log"};
+  EXPECT_EQ(process.wait(test::kPatience), 0) << process.output();
+  const auto metrics = nlohmann::json::parse(read_file(folder_ / "out" / "metrics.json"));
+  EXPECT_EQ(metrics["completed"], true);
+  EXPECT_EQ(metrics["items_delivered"], 4);
+  const auto& robots = metrics["per_robot"];
+  const auto has_heard = [](const auto& robot) { return !robot["received_s"].is_null(); };
+  EXPECT_TRUE(std::any_of(robots.begin(), robots.end(), has_heard)) << "of the destination, by radio";
+}
+
 TEST_F(PythonControllerRun, RefusesAFileThatCannotBeImportedBeforeAnythingStarts) {
   const Ended ended = run("", "dds", "out", {"--controller", kPython / "missing_module.py"});
   EXPECT_EQ(ended.exit_code, 2);
