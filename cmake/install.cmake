@@ -2,7 +2,7 @@
 # The installed tree. It can be moved: programs find each other and their files by the path of the program.
 #   bin/                   the programs
 #   include/caravan/       public headers: controllers and the test kit
-#   lib/                   the test kit; caravan/controllers: the examples; cmake/caravan: find_package(caravan)
+#   lib/                   the test kit; caravan/controllers: the examples; caravan/python: controllers in Python; cmake/caravan: find_package(caravan)
 #   share/caravan/         scenarios, scripts, DDS profiles, units, IDL, the templates of `caravan new`, the drawing program
 #   share/doc/caravan/     the documentation
 # This file has what belongs to no single folder of the tree. A folder that makes something else has its own install() beside its target.
@@ -26,7 +26,7 @@ caravan_data(scenarios deploy/scenarios *.toml)
 caravan_data(scripts deploy/scripts *.toml)
 caravan_data(fastdds deploy/fastdds *.xml)
 caravan_data(systemd deploy/systemd *.service *.env *.sysusers)
-caravan_data(controllers deploy/controllers *.cpp)
+caravan_data(controllers deploy/controllers *.cpp *.py)
 caravan_data(idl idl *.idl)
 caravan_data(report experiment/report *.py)
 caravan_data(templates/my_swarm deploy/templates/my_swarm *)

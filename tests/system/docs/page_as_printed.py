@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Carries out docs/your_own_agent.md in the home of a user who has installed Caravan in ~/caravan: runs each command in one shell, writes the
-controller that the page prints where it prints it, and runs a scenario with the table that it prints."""
+"""Carries out docs/your_own_agent.md or docs/python.md in the home of a user who has installed Caravan in ~/caravan: runs each command in one
+shell, writes the controller that the page prints where it prints it, and runs a scenario with the table that it prints."""
 
 import argparse
 import os
@@ -12,21 +12,21 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-PAGE = ROOT / "docs/your_own_agent.md"
+FILES = {"cpp": "spinner.cpp", "python": "spinner.py"}
 
 
-def blocks(kind: str) -> list[tuple[str, str]]:
-    """Kind and text of each block of these kinds, in the order of the page."""
-    return re.findall(rf"^```({kind})\n(.*?)^```$", PAGE.read_text(encoding="utf-8"), re.M | re.S)
+def blocks(page: str) -> list[tuple[str, str]]:
+    """Kind and text of each block of code, in the order of the page."""
+    return re.findall(r"^```(sh|cpp|python|toml)\n(.*?)^```$", (ROOT / "docs" / page).read_text(encoding="utf-8"), re.M | re.S)
 
 
-def script() -> str:
+def script(page: str) -> str:
     lines = ["set -ev"]
-    for kind, text in blocks("sh|cpp|toml"):
+    for kind, text in blocks(page):
         if kind == "sh":
             lines.append(text)
-        elif kind == "cpp":
-            lines.append(f"cat > spinner.cpp <<'END'\n{text}END")
+        elif kind in FILES:
+            lines.append(f"cat > {FILES[kind]} <<'END'\n{text}END")
         else:
             lines.append(f"cat ~/caravan/share/caravan/scenarios/small.toml - > mine.toml <<'END'\n{text}END")
             lines.append("caravan run mine.toml --engine embedded --items 0 --max-time 20 --quiet --out ~/mine")
@@ -36,6 +36,7 @@ def script() -> str:
 def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--build", type=pathlib.Path, required=True)
+    parser.add_argument("--page", choices=("your_own_agent.md", "python.md"), default="your_own_agent.md")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         home = pathlib.Path(name)
@@ -43,7 +44,7 @@ def main() -> int:
         installed = subprocess.run(["cmake", "--install", str(arguments.build), "--prefix", str(home / "caravan")], stdout=subprocess.DEVNULL, check=False)
         if installed.returncode != 0:
             return 1
-        done = subprocess.run(["/bin/bash", "-c", script()], cwd=home, env=environment, check=False)
+        done = subprocess.run(["/bin/bash", "-c", script(arguments.page)], cwd=home, env=environment, check=False)
         if done.returncode != 0:
             print(f"exit code {done.returncode}")
             return 1
