@@ -55,7 +55,7 @@ PatientProcess& Fleet::process(const std::string& program, const std::string& ro
 FleetStatus Fleet::watch(const Starter& starter, const std::function<bool(const FleetStatus&)>& wanted) {
   Patience patience{kPatience};
   FleetStatus newest;
-  while (!patience.is_over()) {
+  while (!patience.is_over() && has_world()) {
     std::vector<std::string> line{"caravan", "ctl"};
     for (std::size_t i = 0; i + 1 < options_.size(); i += 2) {
       if (options_[i] != "--lease") line.insert(line.end(), {options_[i], options_[i + 1]});
@@ -74,11 +74,19 @@ std::string Fleet::digest(std::chrono::milliseconds patience) {
   static const std::regex kFinished{R"(finished sim_s=.* digest=([0-9a-f]+))"};
   std::smatch found;
   std::string text;
-  const auto has_ended = [&] {
+  const auto has_finished = [&] {
     text = world.output();
     return std::regex_search(text, found, kFinished);
   };
-  return eventually(has_ended, patience) ? found[1].str() : "";
+  (void)eventually([&] { return has_finished() || !has_world(); }, patience);
+  return has_finished() ? found[1].str() : "";
+}
+
+bool Fleet::has_world() {
+  PatientProcess& world = process("world_server");
+  const auto code = world.wait(0ms);
+  if (code) ADD_FAILURE() << "the world has ended with exit code " << *code << ":\n" << world.output();
+  return !code;
 }
 
 std::vector<std::string> Fleet::ended() {

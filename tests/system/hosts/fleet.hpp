@@ -41,14 +41,19 @@ class Fleet {
   void kill(const std::string& program, const std::string& robots = "");
   [[nodiscard]] PatientProcess& process(const std::string& program, const std::string& robots = "");
 
-  /// Asks until `wanted` holds, for `kPatience` at most. @return the last answer
+  /// Asks until `wanted` holds, for `kPatience` at most. The end of the world's process ends the wait and fails
+  /// the test with its log. @return the last answer
   FleetStatus watch(const Starter& starter, const std::function<bool(const FleetStatus&)>& wanted);
-  /// The digest from the log of the world; empty if the run does not end within `patience`.
+  /// The digest from the log of the world; empty if the run does not end within `patience`. The end of the
+  /// world's process fails the test likewise.
   [[nodiscard]] std::string digest(std::chrono::milliseconds patience);
   /// Names and outputs of the processes that have ended.
   [[nodiscard]] std::vector<std::string> ended();
 
  private:
+  /// False, and the test has failed: the world's process has ended.
+  [[nodiscard]] bool has_world();
+
   std::string scenario_;
   std::vector<std::string> options_;
   std::map<std::string, std::unique_ptr<PatientProcess>> processes_;

@@ -30,7 +30,7 @@ class Hosts : public ::testing::Test {
     write_file(folder_ / "lan.xml", replaced(read_file(lan), peer, peers));
   }
   /// Starts the small scenario with 15 robots and this number of items.
-  Fleet& start_everybody(const std::string& items, const std::string& lease_s) {
+  void start_everybody(const std::string& items, const std::string& lease_s) {
     std::string text = replaced(read_file(scenario("small.toml")), "count = 4", "count = 15");
     text = replaced(text, "items = 4", "items = " + items);
     write_file(folder_ / "scenario.toml", text);
@@ -42,9 +42,8 @@ class Hosts : public ::testing::Test {
     for (std::uint32_t robot = 1; robot <= kRobots; ++robot) {
       fleet_->start(on(robot <= kOnHost2 ? 2 : 3), "robot_agent", std::to_string(robot));
     }
-    EXPECT_TRUE(fleet_->process("world_server").prints("started robots=15", kPatience))
+    ASSERT_TRUE(fleet_->process("world_server").prints("started robots=15", kPatience))
         << fleet_->process("world_server").output();
-    return *fleet_;
   }
   [[nodiscard]] Starter on(std::size_t host) {
     return [this, host](std::vector<std::string> arguments, const std::string& log) {
@@ -61,14 +60,16 @@ class Hosts : public ::testing::Test {
 };
 
 TEST_F(Hosts, GiveTheDigestOfASingleHost) {
-  Fleet& fleet = start_everybody("4", "60");
+  ASSERT_NO_FATAL_FAILURE(start_everybody("4", "60"));
+  Fleet& fleet = *fleet_;
   const std::string digest = fleet.digest(300s);
   EXPECT_EQ(digest, digest_on_one_host("4")) << fleet.process("world_server").output();
   EXPECT_FALSE(fleet.watch(on(1), [](const FleetStatus& now) { return now.answered; }).disturbed);
 }
 
 TEST_F(Hosts, CutOffForLessThanTheLeaseOnlyPauseTheRun) {
-  Fleet& fleet = start_everybody("40", "60");
+  ASSERT_NO_FATAL_FAILURE(start_everybody("40", "60"));
+  Fleet& fleet = *fleet_;
   // After the first step: in the first, the world continues without a radio that does not come within 10 s.
   const FleetStatus begun = fleet.watch(on(1), [](const FleetStatus& now) { return now.steps > 1; });
   ASSERT_GT(begun.steps, 1U);
@@ -82,7 +83,8 @@ class CutOff : public Hosts, public ::testing::WithParamInterface<std::size_t> {
 
 TEST_P(CutOff, ForLongerThanTheLeaseIsMissedAndTakenBackWhole) {
   const double lease_s = 2.0 * short_lease_s();
-  Fleet& fleet = start_everybody("100000", std::to_string(lease_s));
+  ASSERT_NO_FATAL_FAILURE(start_everybody("100000", std::to_string(lease_s)));
+  Fleet& fleet = *fleet_;
   const std::size_t host = GetParam();
   const auto cut_at = std::chrono::steady_clock::now();
   network_.cut(host);

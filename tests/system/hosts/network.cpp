@@ -53,8 +53,21 @@ void Network::make_hosts(std::size_t hosts) {
     Words address_it = inside(*hosts_.back(), {"--net"});
     append(address_it,
            {"sh", "-ec", "ip address add " + address(host) + "/24 dev eth0; ip link set eth0 up"});
-    if (!run(wire) || !run(address_it)) return;
+    if (!run(wire) || !run(address_it) || !waits_for_link(host)) return;
   }
+}
+
+bool Network::waits_for_link(std::size_t host) {
+  // The kernel reports a link as running a while after both ends are up. DDS uses only the interfaces that
+  // are running when a process starts: one that starts before is never found from another host.
+  Words look = inside(*hosts_[host - 1], {"--net"});
+  append(look, {"sh", "-c", "ip -o link show eth0 | grep -q 'state UP'"});
+  if (eventually([&] { return run(look); }, kPatience)) {
+    refusal_.clear();
+    return true;
+  }
+  refusal_ = "the link of host " + std::to_string(host) + " does not come up";
+  return false;
 }
 
 std::unique_ptr<PatientProcess> Network::hold(const Words& before, const std::string& set_up,

@@ -40,6 +40,7 @@ class Network {
   /// Runs a command and waits. @return whether it succeeded
   bool run(Words words);
   void make_hosts(std::size_t hosts);
+  [[nodiscard]] bool waits_for_link(std::size_t host);
 
   std::filesystem::path logs_;
   bool as_user_ = false;  // in a user namespace, since the test does not run as root

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/wait.h>
 
 #include <algorithm>
 #include <fstream>
@@ -22,7 +23,22 @@ std::optional<int> PatientProcess::wait(std::chrono::milliseconds patience) {
 }
 
 bool PatientProcess::prints(const std::string& text, std::chrono::milliseconds patience) const {
-  return eventually([&] { return deploy::Process::prints(text, {}); }, patience);
+  // It prints nothing more once it has ended, whoever has waited for that.
+  const auto has_ended = [this] {
+    siginfo_t state{};
+    return waitid(P_PID, static_cast<id_t>(pid()), &state, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+           state.si_pid != 0;
+  };
+  bool ended = false;
+  bool found = false;
+  (void)eventually(
+      [&] {
+        ended = has_ended();  // first: what it printed before its end counts
+        found = deploy::Process::prints(text, {});
+        return found || ended;
+      },
+      patience);
+  return found;
 }
 
 Process::Process(std::vector<std::string> arguments, fs::path log)
