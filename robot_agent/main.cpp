@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <spdlog/spdlog.h>
+
+#include <cstdlib>
 #include <filesystem>
 #include <limits>
 
@@ -7,6 +10,8 @@
 #include "robot_agent/shell/agent_shell.hpp"
 #include "runtime/config/number_list.hpp"
 #include "runtime/config/start_error.hpp"
+#include "runtime/controller/call_watch.hpp"
+#include "runtime/controller/crash_line.hpp"
 #include "runtime/process/run_process.hpp"
 
 namespace {
@@ -38,6 +43,26 @@ agent::Controllers::TraceFolder existing_folder(const std::vector<std::string>& 
   return names.back();
 }
 
+/// A controller that cannot be made is found before the robot has one.
+void make_once(const agent::Controllers& controllers, const std::vector<agent::Config>& configs) {
+  runtime::Calls calls;
+  const runtime::CallWatch watch{
+      calls, [&](std::uint64_t call, runtime::CallWatch::Reason reason) {
+        const bool is_stop = reason == runtime::CallWatch::Reason::kStop;
+        spdlog::critical(
+            "controller {}, robot {}: its constructor has not returned{}", controllers.name(),
+            configs[call / 2].id.value,
+            is_stop ? ", and this process is stopped"
+                    : fmt::format(" for {} s: this process ends", runtime::CallWatch::kLongestCall.count()));
+        spdlog::shutdown();
+        std::_Exit(is_stop ? runtime::kDone : runtime::kCouldNotStart);
+      }};
+  for (const agent::Config& config : configs) {
+    const runtime::Calls::Call call{calls};
+    (void)controllers.make(config);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -56,6 +81,7 @@ int main(int argc, char** argv) {
           {"--trace", "Existing folder for a record of their steps, for `caravan step-agent`", &trace}}};
   return runtime::run_process(
       program, argc, argv, [&](const runtime::Start& start, runtime::Loop& loop) -> int {
+        runtime::name_crashing_controllers(runtime::kFailed);
         const Chosen chosen = choose(one, several);
         const auto scenario = runtime::TomlDocument::load(start.scenario);
         std::vector<agent::Config> configs;
@@ -65,7 +91,7 @@ int main(int argc, char** argv) {
         const agent::Controllers controllers{
             scenario, controller.empty() ? agent::controller_in(scenario) : controller.back(),
             existing_folder(trace)};
-        for (const agent::Config& config : configs) (void)controllers.make(config);
+        make_once(controllers, configs);
         if (start.check_only) return runtime::kDone;
         const runtime::BusConfig bus{.role = "robot_agent " + chosen.text,
                                      .domain = start.domain,

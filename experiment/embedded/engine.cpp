@@ -87,9 +87,10 @@ void Engine::sense() {
 void Engine::answer() {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const auto robot = static_cast<std::uint32_t>(i + 1);
-    calls_.fetch_add(1, std::memory_order_release);
-    caravan::Outputs outputs = agents_[i].step(inputs_[i]);
-    calls_.fetch_add(1, std::memory_order_release);
+    caravan::Outputs outputs = [&] {
+      const runtime::Calls::Call call{calls_};
+      return agents_[i].step(inputs_[i]);
+    }();
     inputs_[i].heard.clear();
     commands_[i] = to_command(outputs, wheel_limit_mps_, refusals_);
     transmissions_[i] = to_transmission(robot, outputs);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -13,6 +12,7 @@
 #include "radio_emulator/medium/medium.hpp"
 #include "robot_agent/controller/controllers.hpp"
 #include "runtime/config/toml_table.hpp"
+#include "runtime/controller/call_watch.hpp"
 #include "runtime/pure/canonical_bytes.hpp"
 #include "runtime/pure/hash_chain.hpp"
 #include "world_server/world.hpp"
@@ -45,8 +45,8 @@ class Engine {
   /// Bytes that the last step added to the world's and to the radio's hash chain; valid until the next step.
   [[nodiscard]] std::span<const std::uint8_t> world_link() const { return world_.chain_link(); }
   [[nodiscard]] std::span<const std::uint8_t> radio_link() const { return radio_link_.view(); }
-  /// Odd while a controller is called: for StepWatch. From any thread.
-  [[nodiscard]] const std::atomic<std::uint64_t>& calls() const { return calls_; }
+  /// Of controllers, for a CallWatch.
+  [[nodiscard]] runtime::Calls& calls() { return calls_; }
   /// What call number `calls` was.
   [[nodiscard]] std::string call_in_words(std::uint64_t calls) const;
   [[nodiscard]] const TimeSplit& time_split() const { return time_split_; }
@@ -64,7 +64,7 @@ class Engine {
   agent::Controllers controllers_;
   std::vector<agent::Config> configs_;  // [0] is robot 1, as in all that follow
   std::vector<runtime::GuardedController> agents_;
-  std::atomic<std::uint64_t> calls_{0};
+  runtime::Calls calls_;
   std::vector<caravan::Inputs> inputs_;
   std::vector<std::optional<world::Command>> commands_;
   std::vector<radio::Station> stations_;

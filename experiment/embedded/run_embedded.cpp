@@ -6,10 +6,10 @@
 
 #include "experiment/embedded/engine.hpp"
 #include "experiment/embedded/stopwatch.hpp"
-#include "experiment/exit_guard.hpp"
 #include "experiment/metrics/run_record.hpp"
-#include "experiment/step_watch.hpp"
 #include "runtime/config/write_error.hpp"
+#include "runtime/controller/call_watch.hpp"
+#include "runtime/controller/crash_line.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 #include "runtime/trace/trace_file.hpp"
@@ -68,8 +68,8 @@ class Trace {
 }  // namespace
 
 int run_embedded(const RunRequest& request) {
+  runtime::name_crashing_controllers(runtime::kFailed);
   Engine engine{request.scenario, request.trace};
-  const ExitGuard exit_guard{runtime::kFailed};
   RunRecord record{request.facts, request.folder, request.quiet ? nullptr : stdout};
   Trace trace{request};
   Pace pace{request.loop, runtime::read_experiment(request.scenario).pacing != runtime::Pacing::kFast};
@@ -82,13 +82,20 @@ int run_embedded(const RunRequest& request) {
     return end;
   };
   // The records are closed on the watch's thread while this one is kept inside the controller's step.
-  const StepWatch watch{engine.calls(), [&](std::uint64_t call) {
-                          RunEnd end = so_far();
-                          end.failure = engine.call_in_words(call) + ": has not returned for " +
-                                        std::to_string(StepWatch::kLongestStep.count()) + " s";
-                          std::fprintf(stderr, "%s: the run ends here\n", end.failure.c_str());
-                          std::_Exit(record.close(end));
-                        }};
+  const runtime::CallWatch watch{
+      engine.calls(), [&](std::uint64_t call, runtime::CallWatch::Reason reason) {
+        RunEnd end = so_far();
+        const std::string who = engine.call_in_words(call);
+        if (reason == runtime::CallWatch::Reason::kStop) {
+          end.interrupted = true;
+          std::fprintf(stderr, "%s: the run is stopped before it returns\n", who.c_str());
+        } else {
+          end.failure = who + ": has not returned for " +
+                        std::to_string(runtime::CallWatch::kLongestCall.count()) + " s";
+          std::fprintf(stderr, "%s: the run ends here\n", end.failure.c_str());
+        }
+        std::_Exit(record.close(end));
+      }};
   bool stopped = false;
   bool told = false;
   std::string failure;

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/trace/step_agent.hpp"
 
-#include <atomic>
 #include <cstdlib>
 #include <stdexcept>
 #include <vector>
 
-#include "experiment/exit_guard.hpp"
 #include "experiment/metrics/csv_file.hpp"
 #include "experiment/metrics/observation.hpp"
-#include "experiment/step_watch.hpp"
 #include "experiment/trace/compare.hpp"
 #include "experiment/trace/trace_reader.hpp"
 #include "robot_agent/config/agent_config.hpp"
 #include "robot_agent/controller/controllers.hpp"
 #include "runtime/config/start_error.hpp"
+#include "runtime/controller/call_watch.hpp"
+#include "runtime/controller/crash_line.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 #include "runtime/trace/trace_file.hpp"
@@ -73,11 +72,9 @@ class Candidate {
   /// @throws runtime::StartError when it fails
   [[nodiscard]] caravan::Outputs step(caravan::Inputs& inputs) {
     inputs.destination = controllers_.destination_in_sight(inputs.sensors, config_);
-    calls_.fetch_add(1, std::memory_order_release);
+    const runtime::Calls::Call call{calls_};
     try {
-      caravan::Outputs outputs = controller_.step(inputs);
-      calls_.fetch_add(1, std::memory_order_release);
-      return outputs;
+      return controller_.step(inputs);
     } catch (const runtime::ControllerFault& fault) {
       throw runtime::StartError{fault.what()};
     }
@@ -85,19 +82,22 @@ class Candidate {
   [[nodiscard]] const std::string& name() const { return controllers_.name(); }
 
  private:
-  [[noreturn]] void give_up(std::uint64_t call) const {
-    std::fprintf(stderr, "controller %s, robot %u, step %llu: has not returned for %lld s\n", name().c_str(),
+  [[noreturn]] void give_up(std::uint64_t call, runtime::CallWatch::Reason reason) const {
+    const bool is_stop = reason == runtime::CallWatch::Reason::kStop;
+    std::fprintf(stderr, "controller %s, robot %u, step %llu: has not returned%s\n", name().c_str(),
                  unsigned{config_.id.value}, static_cast<unsigned long long>(call / 2 + 1),
-                 static_cast<long long>(StepWatch::kLongestStep.count()));
-    std::_Exit(runtime::kCouldNotStart);
+                 is_stop
+                     ? ", and this process is stopped"
+                     : (" for " + std::to_string(runtime::CallWatch::kLongestCall.count()) + " s").c_str());
+    std::_Exit(is_stop ? runtime::kDone : runtime::kCouldNotStart);
   }
 
   agent::Controllers controllers_;
   agent::Config config_;
   runtime::GuardedController controller_;
-  std::atomic<std::uint64_t> calls_ = 0;
-  const ExitGuard exit_guard_{runtime::kCouldNotStart};
-  const StepWatch watch_{calls_, [this](std::uint64_t call) { give_up(call); }};
+  runtime::Calls calls_;
+  const runtime::CallWatch watch_{
+      calls_, [this](std::uint64_t call, runtime::CallWatch::Reason reason) { give_up(call, reason); }};
 };
 
 void tell(std::uint64_t step, caravan::Time now, const std::vector<Difference>& found, std::FILE* out) {
@@ -111,6 +111,7 @@ void tell(std::uint64_t step, caravan::Time now, const std::vector<Difference>& 
 }  // namespace
 
 int step_agent(const StepAgentRequest& request, std::FILE* out) {
+  runtime::name_crashing_controllers(runtime::kCouldNotStart);
   const std::filesystem::path file = trace_of(request);
   RobotTrace trace{file};
   Candidate candidate{request};

@@ -21,9 +21,14 @@ namespace {
 
 constexpr auto kWatchPeriod = 500ms;  // bounds the delay in noticing the radio deadline
 constexpr auto kLongStep = 2s;        // of a step of a controller
-constexpr auto kLongestStep = 10s;
 constexpr auto kSayWaitingAfter = 1s;
 constexpr auto kSayWaitingAgain = 60s;
+
+/// It may return just now.
+const char* what_is_called(const HostedAgent* agent) {
+  const char* what = agent == nullptr ? nullptr : agent->called();
+  return what == nullptr ? "a call" : what;
+}
 
 }  // namespace
 
@@ -39,11 +44,12 @@ AgentShell::AgentShell(const Controllers& controllers, const std::vector<Config>
   clash_.emplace(bus_.id(), bus_.identity(), bus.lease_s, began_);
   for (const Config& config : configs) {
     robot_of_topic_[idl::name_for(idl::kCommand, config.id.value)] = config.id.value;
-    agents_.emplace_back(controllers_, config, bus_);
+    agents_.emplace_back(controllers_, config, bus_, calls_);
   }
   // Not under the lock: making a reader waits for locks of DDS, whose holders may wait for ours in a
   // callback.
   for (Hosted& one : agents_) make_readers(one);
+  watch_.emplace(calls_, [this](std::uint64_t, runtime::CallWatch::Reason reason) { end_process(reason); });
 }
 
 AgentShell::~AgentShell() { bus_.close(); }
@@ -176,22 +182,33 @@ AgentShell::Wall AgentShell::next_deadline(Wall now) const {
   return deadline;
 }
 
-std::unique_lock<std::timed_mutex> AgentShell::lock_or_end() {
+const HostedAgent* AgentShell::called_agent() const {
+  const auto found = std::find_if(agents_.begin(), agents_.end(),
+                                  [](const Hosted& one) { return one.agent.called() != nullptr; });
+  return found == agents_.end() ? nullptr : &found->agent;
+}
+
+void AgentShell::end_process(runtime::CallWatch::Reason reason) const {
+  const bool is_stop = reason == runtime::CallWatch::Reason::kStop;
+  const HostedAgent* agent = called_agent();
+  spdlog::critical("controller {}, robot {}: {} has not returned{}: this process ends", controllers_.name(),
+                   agent == nullptr ? 0 : agent->robot(), what_is_called(agent),
+                   is_stop ? " when it was told to stop"
+                           : fmt::format(" for {} s", runtime::CallWatch::kLongestCall.count()));
+  spdlog::shutdown();
+  std::_Exit(is_stop ? runtime::kDone : runtime::kFailed);  // a thread cannot be stopped otherwise
+}
+
+std::unique_lock<std::timed_mutex> AgentShell::lock_or_end(bool is_stopping) {
   std::unique_lock lock{mutex_, kWatchPeriod};
   // Counts periods instead of reading a clock: a process stopped by a debugger, for instance, has lost no
   // time.
   for (auto waited = kWatchPeriod; !lock.owns_lock(); waited += kWatchPeriod) {
-    const auto busy = std::find_if(agents_.begin(), agents_.end(),
-                                   [](const Hosted& one) { return one.agent.is_stepping(); });
-    if (busy != agents_.end() && waited == kLongStep) {
-      spdlog::warn("controller {}, robot {}: a step has not returned for {} s", controllers_.name(),
-                   busy->agent.robot(), kLongStep / 1s);
-    }
-    if (busy != agents_.end() && waited >= kLongestStep) {
-      spdlog::critical("controller {}, robot {}: a step has not returned for {} s: this process ends",
-                       controllers_.name(), busy->agent.robot(), waited / 1s);
-      spdlog::shutdown();
-      std::_Exit(runtime::kFailed);  // a thread cannot be stopped otherwise
+    const HostedAgent* agent = called_agent();
+    if (agent != nullptr && is_stopping) end_process(runtime::CallWatch::Reason::kStop);
+    if (agent != nullptr && waited == kLongStep) {
+      spdlog::warn("controller {}, robot {}: {} has not returned for {} s", controllers_.name(),
+                   agent->robot(), what_is_called(agent), kLongStep / 1s);
     }
     (void)lock.try_lock_for(kWatchPeriod);
   }
@@ -214,7 +231,7 @@ int AgentShell::run() {
   for (;;) {
     Wall deadline;
     {
-      const auto lock = lock_or_end();
+      const auto lock = lock_or_end(false);
       if (has_failed()) {
         halt_all();
         return runtime::kFailed;
@@ -227,7 +244,7 @@ int AgentShell::run() {
       if (loop_.was_suspended_for(lease_s_)) throw runtime::BeginAnew{"suspended for longer than the lease"};
       continue;
     }
-    const auto lock = lock_or_end();
+    const auto lock = lock_or_end(true);
     if (!clash_->must_be_silent()) halt_all();
     return runtime::kDone;
   }

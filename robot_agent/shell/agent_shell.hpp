@@ -44,8 +44,8 @@ class AgentShell {
 
   /// An agent, and the participants whose samples it accepts.
   struct Hosted {
-    Hosted(const Controllers& controllers, const Config& config, runtime::Bus& bus)
-        : agent{controllers, config, bus} {}
+    Hosted(const Controllers& controllers, const Config& config, runtime::Bus& bus, runtime::Calls& calls)
+        : agent{controllers, config, bus, calls} {}
     HostedAgent agent;
     runtime::Tenure provider;  // sends sensor frames: the world or a bridge
     runtime::Tenure radio;
@@ -54,8 +54,12 @@ class AgentShell {
   void make_readers(Hosted& one);
   void hear(Hosted& one, const caravan_interfaces::msg::RadioReceive& sample, const runtime::Sender& sender);
   void sense(Hosted& one, const caravan_interfaces::msg::SensorFrame& frame, const runtime::Sender& sender);
-  /// Takes the lock. While a step of a controller holds it, warns, and after a deadline ends the process.
-  [[nodiscard]] std::unique_lock<std::timed_mutex> lock_or_end();
+  /// Takes the lock. Warns while a controller's step holds it; if the process is to stop, ends it then.
+  [[nodiscard]] std::unique_lock<std::timed_mutex> lock_or_end(bool is_stopping);
+  /// Ends the process, because a controller does not return.
+  [[noreturn]] void end_process(runtime::CallWatch::Reason reason) const;
+  /// The one whose controller is called at present; null: none.
+  [[nodiscard]] const HostedAgent* called_agent() const;
   [[nodiscard]] bool has_failed() const;
   void halt_all();
   void watch(Wall now);
@@ -79,6 +83,7 @@ class AgentShell {
   const Controllers& controllers_;
 
   std::timed_mutex mutex_;
+  runtime::Calls calls_;                                 // under the lock, so one at a time
   std::deque<Hosted> agents_;                            // callbacks refer to its elements
   std::map<std::string, std::uint32_t> robot_of_topic_;  // topics of these robots' commands
   std::optional<runtime::Clash> clash_;
@@ -87,7 +92,8 @@ class AgentShell {
 
   runtime::Mailbox<runtime::Discovery> mailbox_{loop_};
 
-  runtime::Bus bus_;  // last, so that no callback outlives the state
+  runtime::Bus bus_;  // so late that no callback outlives the state
+  std::optional<runtime::CallWatch> watch_;
 };
 
 }  // namespace caravan::agent

@@ -42,11 +42,30 @@ void log_frames(const char* what, Time now, const std::vector<AnyFrame>& frames,
   }
 }
 
+/// A call of a controller, and what it is while it lasts.
+class NotedCall {
+ public:
+  NotedCall(runtime::Calls& calls, std::atomic<const char*>& called, const char* what)
+      : called_{called}, call_{calls} {
+    called = what;
+  }
+
+ private:
+  struct Noted {
+    std::atomic<const char*>& called;
+    ~Noted() { called = nullptr; }
+  };
+  Noted called_;
+  runtime::Calls::Call call_;  // ends first: a call that was given up keeps its note
+};
+
 }  // namespace
 
-HostedAgent::HostedAgent(const Controllers& controllers, const Config& config, runtime::Bus& bus)
+HostedAgent::HostedAgent(const Controllers& controllers, const Config& config, runtime::Bus& bus,
+                         runtime::Calls& calls)
     : controllers_{controllers},
       config_{config},
+      calls_{calls},
       commands_{bus.writer<msg::RobotCommandPubSubType>(idl::kCommand, robot())},
       transmits_{bus.writer<msg::RadioTransmitPubSubType>(idl::kRadioTransmit, robot())},
       telemetry_{bus.writer<msg::TelemetryPubSubType>(idl::kTelemetry, robot())} {}
@@ -58,6 +77,7 @@ bool HostedAgent::follow_session(std::uint64_t session) {
   spdlog::info("session={} robot={}: starting from the initial state", session, robot());
   session_ = session;
   try {
+    const NotedCall call{calls_, called_, "its constructor"};
     controller_.emplace(controllers_.make_guarded(config_));
   } catch (const runtime::StartError& error) {
     break_off(error.what());
@@ -115,18 +135,16 @@ void HostedAgent::step(const msg::SensorFrame& frame) {
   caravan::Inputs inputs{
       .now = now_, .sensors = to_sensors(frame), .heard = std::exchange(heard_, {}), .destination = {}};
   inputs.destination = controllers_.destination_in_sight(inputs.sensors, config_);
-  stepping_ = true;
   caravan::Outputs outputs;
   try {
+    const NotedCall call{calls_, called_, "a step"};
     outputs = controller_->step(inputs);
   } catch (const runtime::ControllerFault& fault) {
-    stepping_ = false;
     return break_off(fault.what());
   } catch (const runtime::WriteError& error) {
     stepping_ = false;
     return break_off(error.what());
   }
-  stepping_ = false;
   compute_ += std::chrono::steady_clock::now() - began;
   answer(outputs, frame);
 }

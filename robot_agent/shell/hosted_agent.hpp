@@ -10,6 +10,7 @@
 #include "idl/robot_types.hpp"
 #include "robot_agent/controller/controllers.hpp"
 #include "runtime/bus/bus.hpp"
+#include "runtime/controller/call_watch.hpp"
 
 namespace caravan::agent {
 
@@ -23,7 +24,8 @@ class HostedAgent {
   using Wall = std::chrono::steady_clock::time_point;
 
   /// @throws StartError when DDS refuses a writer
-  HostedAgent(const Controllers& controllers, const Config& config, runtime::Bus& bus);
+  /// @param calls  counts the calls of controllers
+  HostedAgent(const Controllers& controllers, const Config& config, runtime::Bus& bus, runtime::Calls& calls);
 
   /// From now on its frames come from another participant, whose session may have any number.
   void meet_provider() { is_new_provider_ = true; }
@@ -41,8 +43,8 @@ class HostedAgent {
   /// The error that ended the controller or its trace; empty: none. The controller is not called again, and
   /// the wheels are at zero.
   [[nodiscard]] const std::string& fault() const { return fault_; }
-  /// True while the controller is in a step. Thread-safe.
-  [[nodiscard]] bool is_stepping() const { return stepping_; }
+  /// What of the controller is called at present, as "a step"; null: nothing. Thread-safe.
+  [[nodiscard]] const char* called() const { return called_; }
 
  private:
   /// False: a frame of an old session. A newer session starts the agent from its initial state.
@@ -65,7 +67,8 @@ class HostedAgent {
   Wall waiting_until_{};
   std::optional<caravan_interfaces::msg::SensorFrame> held_;  // newest frame, kept while no answer is allowed
   std::string fault_;
-  std::atomic<bool> stepping_ = false;
+  runtime::Calls& calls_;
+  std::atomic<const char*> called_ = nullptr;
   std::uint64_t radio_timeouts_ = 0;
   std::uint64_t refused_writes_ = 0;
   std::chrono::nanoseconds compute_{0};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "runtime/controller/crash_line.hpp"
 #include "runtime/pure/one_line.hpp"
 
 namespace caravan::runtime {
@@ -11,8 +12,7 @@ namespace caravan::runtime {
 std::string GuardedController::where() const {
   char text[64];
   std::snprintf(text, sizeof text, "%.3f s", std::chrono::duration<double>(now_).count());
-  return "controller " + pure::one_line(name_) + ", robot " + std::to_string(robot_) + ", step " +
-         std::to_string(steps_) + " (" + text + ")";
+  return who_ + ", step " + std::to_string(steps_) + " (" + text + ")";
 }
 
 Outputs GuardedController::step(const Inputs& inputs) {
@@ -20,6 +20,7 @@ Outputs GuardedController::step(const Inputs& inputs) {
   now_ = inputs.now;
   if (trace_) trace_->ask(inputs);
   Outputs outputs;
+  const InsideController inside{who_.c_str(), steps_};
   try {
     outputs = controller_->step(inputs);
   } catch (const std::exception& error) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "runtime/controller/step_trace.hpp"
+#include "runtime/pure/one_line.hpp"
 
 namespace caravan::runtime {
 
@@ -19,9 +20,11 @@ struct ControllerFault : std::runtime_error {
 class GuardedController {
  public:
   /// @param trace  null: none
-  GuardedController(std::unique_ptr<Controller> controller, std::string name, std::uint32_t robot,
+  GuardedController(std::unique_ptr<Controller> controller, const std::string& name, std::uint32_t robot,
                     std::unique_ptr<StepTrace> trace = nullptr)
-      : controller_{std::move(controller)}, name_{std::move(name)}, robot_{robot}, trace_{std::move(trace)} {}
+      : controller_{std::move(controller)},
+        who_{"controller " + pure::one_line(name) + ", robot " + std::to_string(robot)},
+        trace_{std::move(trace)} {}
 
   /// @throws ControllerFault when the controller throws, or its wheel speeds are not finite
   /// @throws WriteError when the trace cannot be written
@@ -32,8 +35,7 @@ class GuardedController {
 
  private:
   std::unique_ptr<Controller> controller_;
-  std::string name_;
-  std::uint32_t robot_;
+  std::string who_;
   std::unique_ptr<StepTrace> trace_;
   std::uint64_t steps_ = 0;  // begun
   Time now_{0};

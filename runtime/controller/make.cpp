@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/controller/make.hpp"
 
+#include "runtime/controller/crash_line.hpp"
+#include "runtime/pure/one_line.hpp"
+
 namespace caravan::runtime {
 
 std::unique_ptr<Controller> make_controller(const LoadedController& loaded, const Robot& robot,
@@ -10,16 +13,16 @@ std::unique_ptr<Controller> make_controller(const LoadedController& loaded, cons
   Parameters parameters{std::move(values)};
   (void)parameters.text("library", "");
   std::unique_ptr<Controller> controller;
+  const std::string who = "controller " + pure::one_line(loaded.name) + ", robot " + std::to_string(robot.id);
+  const InsideController inside{who.c_str(), 0};
   try {
     controller = loaded.library->make(robot, parameters);
   } catch (const ParameterError& error) {
     table.fail(error.key(), error.what());
   } catch (const std::exception& error) {
-    throw StartError{"controller " + loaded.name + ", robot " + std::to_string(robot.id) +
-                     ": cannot be made: " + error.what()};
+    throw StartError{who + ": cannot be made: " + error.what()};
   } catch (...) {
-    throw StartError{"controller " + loaded.name + ", robot " + std::to_string(robot.id) +
-                     ": cannot be made: its constructor threw something that is no std::exception"};
+    throw StartError{who + ": cannot be made: its constructor threw something that is no std::exception"};
   }
   for (const std::string& key : parameters.unknown()) table.fail(key, "unknown key");
   return controller;

@@ -2,6 +2,7 @@
 // A controller that breaks the rule that the scenario names, on robot 2 only.
 #include <caravan/controller.hpp>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
@@ -16,7 +17,7 @@ class Faulty final : public caravan::Controller {
         at_step_{parameters.integer("at_step", 3, {1, 1e9})} {
     (void)parameters.text("fault", "none");
     if (fault_ == "constructor") throw std::runtime_error{"no map"};
-    if (fault_ == "constructor_hangs") std::this_thread::sleep_for(std::chrono::hours{1});
+    if (fault_ == "constructor_hangs") hang();
     if (fault_ == "constructor_aborts") std::abort();
     if (fault_ == "constructor_exits") std::exit(0);
   }
@@ -29,11 +30,24 @@ class Faulty final : public caravan::Controller {
     if (fault_ == "throws_a_number") throw 42;
     if (fault_ == "nan") outputs.left_mps = std::numeric_limits<double>::quiet_NaN();
     if (fault_ == "exits") std::exit(0);
-    if (fault_ == "hangs") std::this_thread::sleep_for(std::chrono::hours{1});
+    if (fault_ == "hangs") hang();
+    if (fault_ == "crashes") *const_cast<volatile int*>(nowhere_) = 1;
+    if (fault_ == "overflows") outputs.left_mps = endless(1.0);
     return outputs;
   }
 
  private:
+  static void hang() {
+    std::fprintf(stderr, "faulty hangs\n");
+    std::this_thread::sleep_for(std::chrono::hours{1});
+  }
+  /// Fills the stack.
+  static double endless(double value) {
+    volatile double some[512] = {value};  // NOLINT(*-avoid-c-arrays): volatile
+    return value < 0.0 ? 0.0 : endless(value + some[0]) + some[1];
+  }
+
+  const int* nowhere_ = nullptr;
   std::string fault_;
   std::int64_t at_step_;
   std::int64_t step_ = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Controllers from shared libraries, in both engines.
 #include <gmock/gmock.h>
+#include <signal.h>
 
 #include <nlohmann/json.hpp>
 
@@ -99,7 +100,37 @@ TEST_F(ControllerRun, DoesNotTakeAnExitOfTheControllerForItsOwn) {
   const Ended ended =
       run("at_step = 40\nfault = \"exits\"\n", "embedded", "out", {"--controller", kLibraries / "faulty.so"});
   EXPECT_EQ(ended.exit_code, 1);
-  EXPECT_THAT(ended.said, HasSubstr("a controller has called exit()"));
+  EXPECT_THAT(ended.said, HasSubstr("controller faulty, robot 2, step 40: has called exit()"));
+}
+
+TEST_F(ControllerRun, NamesAControllerThatCrashes) {
+  for (const char* fault : {"crashes", "overflows"}) {
+    const Ended ended = run("at_step = 600\nfault = \"" + std::string{fault} + "\"\n", "embedded", fault,
+                            {"--controller", kLibraries / "faulty.so"});
+    EXPECT_EQ(ended.exit_code, 128 + SIGSEGV);
+    EXPECT_THAT(ended.said, HasSubstr("controller faulty, robot 2, step 600: ends the process by SIGSEGV"));
+  }
+  const Ended dds =
+      run("at_step = 40\nfault = \"crashes\"\n", "dds", "dds", {"--controller", kLibraries / "faulty.so"});
+  EXPECT_EQ(dds.exit_code, 0) << dds.said;
+  EXPECT_THAT(log_of("dds", "robot_agent_2"),
+              HasSubstr("controller faulty, robot 2, step 40: ends the process by SIGSEGV"));
+}
+
+TEST_F(ControllerRun, IsInterruptedAtOnceWhileAStepDoesNotReturn) {
+  const fs::path file = folder_ / "mine.toml";
+  test::write_file(
+      file, read_file(test::scenario("small.toml")) + "\n[controller]\nfault = \"hangs\"\nat_step = 40\n");
+  Process process{{"caravan", "run", file, "--engine", "embedded", "--items", "0", "--quiet", "--out",
+                   folder_ / "out", "--controller", kLibraries / "faulty.so"},
+                  folder_ / "log"};
+  ASSERT_TRUE(process.prints("faulty hangs", test::kPatience)) << process.output();
+  process.signal(SIGINT);
+  EXPECT_EQ(process.wait(test::kPatience), 130) << process.output();
+  EXPECT_THAT(process.output(),
+              HasSubstr("controller faulty, robot 2, step 40: the run is stopped before it returns"));
+  const auto metrics = nlohmann::json::parse(read_file(folder_ / "out/metrics.json"));
+  EXPECT_EQ(metrics["ended"], true);
 }
 
 TEST_F(ControllerRun, EndsAnEmbeddedRunThatAControllerBreaksAndClosesItsRecords) {

@@ -3,6 +3,7 @@
 // and the load of the machine. The slow cases are in determinism_long_test.cpp.
 #include <gmock/gmock.h>
 
+#include "build_paths.hpp"
 #include "tests/system/support/burners.hpp"
 #include "tests/system/support/digest_of.hpp"
 
@@ -31,6 +32,33 @@ INSTANTIATE_TEST_SUITE_P(
                     Placement{"Udp", {"--transport", "udp"}, 1},
                     Placement{"UdpAllInOneProcess", {"--transport", "udp", "--agents-per-process", "4"}, 1}),
     name_of_placement);
+
+/// A controller from outside, whose runs depend on every input.
+const std::vector<std::string> kOutside{
+    "--items",      "0",
+    "--max-time",   "60",
+    "--controller", std::filesystem::path{CARAVAN_BIN_DIR}.parent_path() / "tests/controllers/chatterer.so"};
+
+class DeterminismOfAController : public Determinism {};
+
+TEST_P(DeterminismOfAController, GivesTheEmbeddedEnginesDigest) {
+  const std::string expected = digest_of("small.toml", kEmbedded, kOutside);
+  EXPECT_NE(expected, digest_of("small.toml", kEmbedded, {"--items", "0", "--max-time", "60"}));
+  for (int repetition = 0; repetition < GetParam().repetitions; ++repetition)
+    EXPECT_EQ(digest_of("small.toml", GetParam().options, kOutside), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Placements, DeterminismOfAController,
+    testing::Values(Placement{"Embedded", kEmbedded, 2}, Placement{"AProcessEach", {}, 2},
+                    Placement{"UdpAllInOneProcess", {"--transport", "udp", "--agents-per-process", "4"}, 1}),
+    name_of_placement);
+
+TEST(ControllerDeterminism, HoldsOnABusyMachine) {
+  const std::string expected = digest_of("small.toml", kEmbedded, kOutside);
+  const Burners burners;
+  EXPECT_EQ(digest_of("small.toml", {}, kOutside), expected);
+}
 
 TEST(Determinism, HoldsOnABusyMachine) {
   const std::vector<std::string> experiment{"--mode", "full", "--items", "0", "--max-time", "40"};

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "build_paths.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan {
@@ -15,10 +16,12 @@ using test::read_file;
 
 /// Runs the scenario long enough for robots to find the destination, meet and exchange paths.
 nlohmann::json run(const fs::path& scenario, const std::string& engine, const std::string& mode, int seed,
-                   const fs::path& out, const fs::path& log) {
-  Process process{{"caravan", "run", scenario, "--engine", engine, "--mode", mode, "--seed",
-                   std::to_string(seed), "--items", "0", "--max-time", "150", "--out", out, "--quiet"},
-                  log};
+                   const fs::path& out, const fs::path& log, const std::vector<std::string>& more = {}) {
+  std::vector<std::string> line{
+      "caravan", "run", scenario,     "--engine", engine,  "--mode", mode,     "--seed", std::to_string(seed),
+      "--items", "0",   "--max-time", "150",      "--out", out,      "--quiet"};
+  line.insert(line.end(), more.begin(), more.end());
+  Process process{line, log};
   EXPECT_EQ(process.wait(std::chrono::seconds{60}), 0) << process.output();
   return nlohmann::json::parse(read_file(out / "metrics.json"));
 }
@@ -63,6 +66,25 @@ TEST_P(EngineEquality, ProcessesOnDdsAndOneProcessGiveTheSameRunBitForBit) {
        {"tracks.csv", "trips.csv", "events.csv", "paths.csv", "activities.csv", "path_lengths.csv"}) {
     EXPECT_EQ(first_difference(read_file(dds / name), read_file(embedded / name)), "") << name;
   }
+}
+
+TEST(EngineEqualityOfAController, FromASharedLibraryGivesTheSameRunAndTheSameRecords) {
+  const test::ScratchFolder folder;
+  const fs::path scenario = test::scenario("small.toml");
+  const std::vector<std::string> chatterer{
+      "--controller", fs::path{CARAVAN_BIN_DIR}.parent_path() / "tests/controllers/chatterer.so"};
+
+  const nlohmann::json on_dds =
+      run(scenario, "dds", "full", 1, folder / "dds", folder / "dds.log", chatterer);
+  const nlohmann::json in_one =
+      run(scenario, "embedded", "full", 1, folder / "embedded", folder / "embedded.log", chatterer);
+
+  ASSERT_EQ(on_dds["digest"], in_one["digest"]);
+  EXPECT_EQ(on_dds["controller"], "chatterer");
+  EXPECT_EQ(without_wall_time(on_dds), without_wall_time(in_one));
+  for (const char* name : {"tracks.csv", "trips.csv", "events.csv", "activities.csv"})
+    EXPECT_EQ(first_difference(read_file(folder / "dds" / name), read_file(folder / "embedded" / name)), "")
+        << name;
 }
 
 TEST(EngineEqualityOnAPoorRadio, LosesTheSameFrames) {

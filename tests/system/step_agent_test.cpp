@@ -143,7 +143,7 @@ TEST_F(StepAgent, EndsWithCodeTwoAndOneLineWhenTheControllerFails) {
   const fs::path traced = run_embedded(scenario("small.toml"));
   const std::vector<std::pair<std::string, std::string>> faults = {
       {"nan", "step 1 (0.000 s): wheel speeds nan and 0.100000 m/s are not finite"},
-      {"exits", "a controller has called exit()"},
+      {"exits", "controller faulty, robot 2, step 1: has called exit()"},
       {"hangs", "controller faulty, robot 2, step 1: has not returned for 10 s"},
       {"constructor", "cannot be made: no map"},
       {"constructor_exits", "by exit code 0"}};

@@ -49,6 +49,8 @@ TEST_F(Reset, P51ANewSessionFindsTheAgentInItsInitialState) {
   const std::string first = decisions(7);
   agent.reset();
   ASSERT_TRUE(eventually([&] { return listener_.agents() == 0; }, kPatience)) << log();
+  world_.reset();  // its last frames would be the first that the next agent gets
+  world_ = std::make_unique<PlayedWorld>(bus("world_server"));
   agent = start_agent();
   const std::string restarted = decisions(8);
   ASSERT_FALSE(HasFailure());

@@ -2,6 +2,7 @@
 // P-50, P-52 to P-54, P-65, P-66: what answers a sensor frame.
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 

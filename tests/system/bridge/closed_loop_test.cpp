@@ -6,6 +6,7 @@
 
 #include <iostream>
 
+#include "build_paths.hpp"
 #include "tests/system/bridge/support/field.hpp"
 
 namespace caravan::test {
@@ -24,6 +25,24 @@ TEST_F(ClosedLoop, AnUnmodifiedAgentDeliversAnItemThroughAPioneersBytes) {
   EXPECT_TRUE(eventually([&] { return truth.items_delivered() == 1; }, 280s))
       << world->output() << one.robot.process->output() << one.bridge->output() << one.agent->output();
   std::cout << "delivered after " << std::chrono::duration<double>(truth.now()).count() << " s\n";
+}
+
+TEST_F(ClosedLoop, AControllerFromOutsideDrivesARobotThroughAPioneersBytes) {
+  const auto library = std::filesystem::path{CARAVAN_BIN_DIR}.parent_path() / "controllers/braitenberg.so";
+  const auto world = start_world(
+      room(1, 0) + "[controller]\nlibrary = \"" + library.string() + "\"\ncruise_mps = 0.25\n", "1");
+  const Truth truth{bus()};
+  const Collector<msg::RobotCommandPubSubType> commands{bus(), idl::kCommand, 1};
+  BridgedRobot one = start_bridged(1);
+  EXPECT_TRUE(truth.drives(1)) << world->output() << one.output();
+  // Its own speed, with one side free; nothing that the paper's agent commands.
+  EXPECT_TRUE(commands.first([](const msg::RobotCommand& command) {
+    return command.left_mps() == 0.25 || command.right_mps() == 0.25;
+  })) << one.output();
+  kill_at_once(*one.agent);
+  EXPECT_TRUE(truth.rests(1)) << "without its agent it stops";
+  one.agent = start_agent(1);
+  EXPECT_TRUE(truth.drives(1)) << "and the next one drives it on: " << one.output();
 }
 
 TEST_F(ClosedLoop, AMixedFleetExchangesPathsByRadio) {

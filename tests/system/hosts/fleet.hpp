@@ -41,8 +41,8 @@ class Fleet {
   void kill(const std::string& program, const std::string& robots = "");
   [[nodiscard]] PatientProcess& process(const std::string& program, const std::string& robots = "");
 
-  /// Asks until `wanted` holds, for `kPatience` at most. The end of the world's process ends the wait and fails
-  /// the test with its log. @return the last answer
+  /// Asks until `wanted` holds, for `kPatience` at most. The end of the world's process ends the wait and
+  /// fails the test with its log. @return the last answer
   FleetStatus watch(const Starter& starter, const std::function<bool(const FleetStatus&)>& wanted);
   /// The digest from the log of the world; empty if the run does not end within `patience`. The end of the
   /// world's process fails the test likewise.

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace caravan::runtime {
+
+/// From now on a controller that ends the process while it is called is named on stderr, in one line: after a
+/// signal that a fault raises (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT), which then takes its course, and
+/// when it calls exit(), which ends the process with `exit_code`, because that is no success.
+///
+/// Not caught are _exit(), quick_exit(), SIGKILL, and faults on threads of the controller's own.
+void name_crashing_controllers(int exit_code);
+
+/// While it lives, this thread is inside a controller.
+class InsideController {
+ public:
+  /// @param who   "controller mine, robot 3"; must outlive this object
+  /// @param step  0: its constructor
+  InsideController(const char* who, std::uint64_t step);
+  ~InsideController();
+  InsideController(const InsideController&) = delete;
+  InsideController& operator=(const InsideController&) = delete;
+};
+
+}  // namespace caravan::runtime
