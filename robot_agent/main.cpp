@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <limits>
 
 #include "robot_agent/config/agent_config.hpp"
@@ -30,19 +31,29 @@ Chosen choose(std::uint32_t one, const std::vector<std::string>& several) {
   return {several.front(), {robots.begin(), robots.end()}};
 }
 
+agent::Controllers::TraceFolder existing_folder(const std::vector<std::string>& names) {
+  if (names.empty()) return std::nullopt;
+  if (!std::filesystem::is_directory(names.back()))
+    throw runtime::StartError{"--trace: " + names.back() + " is not a folder: make it first"};
+  return names.back();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   std::uint32_t one = kNotGiven;
   std::vector<std::string> several;
   std::vector<std::string> controller;
+  std::vector<std::string> trace;
   const runtime::Program program{
       .name = "robot_agent",
       .purpose = "The controllers of robots; each has only the sensors, wheels and radio of its robot",
       .numbers = {{"--robot", "Number of the robot, from 1", false, &one}},
-      .texts = {{"--robots", "Several robots in this process: 1-15, or 1,3,5-8", &several},
-                {"--controller", "Their controller: paper, or a shared library (default: the scenario's)",
-                 &controller}}};
+      .texts = {
+          {"--robots", "Several robots in this process: 1-15, or 1,3,5-8", &several},
+          {"--controller", "Their controller: paper, or a shared library (default: the scenario's)",
+           &controller},
+          {"--trace", "Existing folder for a record of their steps, for `caravan step-agent`", &trace}}};
   return runtime::run_process(
       program, argc, argv, [&](const runtime::Start& start, runtime::Loop& loop) -> int {
         const Chosen chosen = choose(one, several);
@@ -52,7 +63,8 @@ int main(int argc, char** argv) {
           configs.push_back(agent::load_config(scenario, robot));
         }
         const agent::Controllers controllers{
-            scenario, controller.empty() ? agent::controller_in(scenario) : controller.back()};
+            scenario, controller.empty() ? agent::controller_in(scenario) : controller.back(),
+            existing_folder(trace)};
         for (const agent::Config& config : configs) (void)controllers.make(config);
         if (start.check_only) return runtime::kDone;
         const runtime::BusConfig bus{.role = "robot_agent " + chosen.text,

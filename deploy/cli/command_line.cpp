@@ -66,7 +66,7 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
       ->capture_default_str();
   run.add_option("--out", command.out, "Folder for the results; must be new or empty")
       ->check(complaint_about_name);
-  run.add_flag("--trace", command.trace, "Record the data that enters the digest, for `caravan diff`");
+  run.add_flag("--trace", command.trace, "Record every step, for `caravan diff` and `caravan step-agent`");
   run.add_flag("--quiet", command.quiet, "No progress, no result table");
   run.add_flag("--report", command.report, "Draw the report of the run when it has ended");
 }
@@ -110,6 +110,21 @@ void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
   sweep.callback([out, count] {
     if (out->empty() && count->empty()) throw CLI::RequiredError{"--out"};
   });
+}
+
+void add_step_agent_options(CLI::App& step_agent, StepAgentCommand& command) {
+  step_agent.add_option("run", command.run, "Folder of a run with --trace")
+      ->required()
+      ->check(complaint_about_name);
+  step_agent.add_option("--robot", command.robot, "Number of the robot, from 1")->required();
+  step_agent
+      .add_option("--controller", command.controller,
+                  "What answers in its place: paper, or a shared library; default: what the scenario says")
+      ->check(complaint_about_name);
+  step_agent
+      .add_option("--scenario", command.scenario,
+                  "Scenario with other parameters; default: that of the run, scenario.toml in its folder")
+      ->check(complaint_about_name);
 }
 
 void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
@@ -161,6 +176,11 @@ Command read_command_line(int argc, const char* const* argv) {
   diff->add_option("other", diff_command.other, "Folder of another run")
       ->required()
       ->check(complaint_about_name);
+  StepAgentCommand step_agent_command;
+  CLI::App* step_agent = app.add_subcommand(
+      "step-agent",
+      "Give a controller what a robot was given in a run; name the first step it answers otherwise");
+  add_step_agent_options(*step_agent, step_agent_command);
   SweepCommand sweep_command;
   CLI::App* sweep = app.add_subcommand("sweep", "Run a scenario with many seeds and modes");
   add_sweep_options(*sweep, sweep_command);
@@ -195,6 +215,7 @@ Command read_command_line(int argc, const char* const* argv) {
   run_command.embedded = engine == "embedded";
   if (check->parsed()) return check_command;
   if (diff->parsed()) return diff_command;
+  if (step_agent->parsed()) return step_agent_command;
   if (sweep->parsed()) return sweep_command;
   if (report->parsed()) return report_command;
   if (ctl->parsed()) return ctl_command;

@@ -41,6 +41,13 @@ struct DiffCommand {
   std::filesystem::path other;
 };
 
+struct StepAgentCommand {
+  std::filesystem::path run;
+  std::uint32_t robot = 0;
+  std::optional<std::string> controller;          ///< "paper" or a path; none: the scenario's
+  std::optional<std::filesystem::path> scenario;  ///< none: the run's
+};
+
 struct SweepCommand {
   std::filesystem::path scenario;
   std::string engine = "embedded";
@@ -86,8 +93,8 @@ struct Exit {
   int code = 0;
 };
 
-using Command = std::variant<CheckCommand, RunCommand, DiffCommand, SweepCommand, ReportCommand, CtlCommand,
-                             DeployCommand, DoctorCommand, Exit>;
+using Command = std::variant<CheckCommand, RunCommand, DiffCommand, StepAgentCommand, SweepCommand,
+                             ReportCommand, CtlCommand, DeployCommand, DoctorCommand, Exit>;
 
 /// Reads the command line of `caravan`. An error is one line on standard error and exit code 2.
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);

@@ -8,6 +8,7 @@
 #include "deploy/cli/check_scenario.hpp"
 #include "deploy/cli/command_line.hpp"
 #include "deploy/cli/plan_sweep.hpp"
+#include "deploy/cli/try_controllers.hpp"
 #include "deploy/control/run_ctl.hpp"
 #include "deploy/doctor/run_doctor.hpp"
 #include "deploy/kit/run_script.hpp"
@@ -17,6 +18,7 @@
 #include "experiment/report/write_report.hpp"
 #include "experiment/sweep/run_sweep.hpp"
 #include "experiment/trace/diff_runs.hpp"
+#include "experiment/trace/step_agent.hpp"
 #include "runtime/config/start_error.hpp"
 #include "runtime/config/write_error.hpp"
 #include "runtime/host/domain_lock.hpp"
@@ -113,6 +115,15 @@ int obey(const deploy::CheckCommand& command) { return check(command); }
 int obey(const deploy::RunCommand& command) { return run(command); }
 int obey(const deploy::DiffCommand& command) {
   return experiment::diff_runs(command.one, command.other, stdout);
+}
+int obey(const deploy::StepAgentCommand& command) {
+  const auto scenario = runtime::TomlDocument::load(command.scenario.value_or(command.run / "scenario.toml"));
+  deploy::Overrides overrides;
+  overrides.controller = command.controller;
+  const std::string controller = deploy::controller_of(scenario, overrides);
+  (void)deploy::try_controllers(scenario, controller);
+  return experiment::step_agent(
+      {.run = command.run, .robot = command.robot, .scenario = scenario, .controller = controller}, stdout);
 }
 int obey(const deploy::SweepCommand& command) { return sweep(command); }
 int obey(const deploy::ReportCommand& command) {

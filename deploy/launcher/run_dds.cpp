@@ -113,7 +113,10 @@ void DdsRun::start_everybody() {
   children_.start("world_server", world);
   children_.start("radio_emulator", radio);
   for (const RobotGroup& group : groups_of(request_.facts.robots, request_.agents_per_process)) {
-    children_.start("robot_agent_" + to_text(group), agent_command(setup, to_text(group)));
+    std::vector<std::string> agent = agent_command(setup, to_text(group));
+    // Another program knows the common options only.
+    if (request_.trace && request_.agent.empty()) agent.insert(agent.end(), {"--trace", *request_.trace});
+    children_.start("robot_agent_" + to_text(group), agent);
     ++agent_processes_;
   }
   children_.watch();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,12 +24,14 @@ namespace caravan::experiment {
 /// same stamp, the world advances.
 class Engine {
  public:
+  /// @param trace  existing folder for what each robot's controller is given and answers; none: no trace
   /// @throws runtime::StartError
-  explicit Engine(const runtime::TomlDocument& scenario);
+  explicit Engine(const runtime::TomlDocument& scenario,
+                  const std::optional<std::filesystem::path>& trace = std::nullopt);
 
   /// One step of world, agents and radio. @pre !finished()
   /// @return the observation of the step, valid until the next call
-  /// @throws runtime::ControllerFault, world::PhysicsError: no step can follow
+  /// @throws runtime::ControllerFault, runtime::WriteError, world::PhysicsError: no step can follow
   const Observation& step();
   /// The state after the last step, without reports: the observation that ends a run.
   const Observation& last();

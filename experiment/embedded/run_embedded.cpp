@@ -5,10 +5,12 @@
 #include <cstdlib>
 
 #include "experiment/embedded/engine.hpp"
-#include "experiment/embedded/step_watch.hpp"
 #include "experiment/embedded/stopwatch.hpp"
+#include "experiment/exit_guard.hpp"
 #include "experiment/metrics/run_record.hpp"
+#include "experiment/step_watch.hpp"
 #include "runtime/config/write_error.hpp"
+#include "runtime/process/run_process.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 #include "runtime/trace/trace_file.hpp"
 #include "world_server/physics/physics_error.hpp"
@@ -63,33 +65,11 @@ class Trace {
   std::optional<runtime::TraceFile> radio_;
 };
 
-bool is_running = false;
-
-/// While it lives, exit() ends the process with code 1: a controller that calls it must not make the run look
-/// like a success.
-class Running {
- public:
-  Running() {
-    static const int registered = std::atexit(refuse_exit);
-    is_running = registered == 0;
-  }
-  ~Running() { is_running = false; }
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
-
- private:
-  static void refuse_exit() {
-    if (!is_running) return;
-    std::fprintf(stderr, "a controller has called exit() in the middle of the run\n");
-    std::_Exit(1);
-  }
-};
-
 }  // namespace
 
 int run_embedded(const RunRequest& request) {
-  Engine engine{request.scenario};
-  const Running running;
+  Engine engine{request.scenario, request.trace};
+  const ExitGuard exit_guard{runtime::kFailed};
   RunRecord record{request.facts, request.folder, request.quiet ? nullptr : stdout};
   Trace trace{request};
   Pace pace{request.loop, runtime::read_experiment(request.scenario).pacing != runtime::Pacing::kFast};

@@ -129,6 +129,13 @@ void compare_air(std::vector<Difference>& found, const RadioStep& one, const Rad
   compare_by_robot(found, "delivery", one.heard, other.heard);
 }
 
+TracedTransmission to_transmission(const caravan::Outputs& outputs) {
+  TracedTransmission transmission{outputs.tuned_channel, {}};
+  for (const caravan::Frame& frame : outputs.frames)
+    transmission.frames.push_back({frame.channel, frame.bytes});
+  return transmission;
+}
+
 }  // namespace
 
 std::vector<Difference> differences(const TracedStep& one, const TracedStep& other) {
@@ -137,6 +144,18 @@ std::vector<Difference> differences(const TracedStep& one, const TracedStep& oth
   compare_commands(found, one.world, other.world);
   compare_air(found, one.radio, other.radio);
   compare_poses(found, "", one.world.poses, other.world.poses);
+  return found;
+}
+
+std::vector<Difference> differences(std::uint64_t robot, const caravan::Outputs& one,
+                                    const caravan::Outputs& other) {
+  std::vector<Difference> found;
+  Finder finder{found, robot};
+  // + 0.0 makes -0 to +0: the wheels do the same.
+  finder.compare("answer.left_mps", one.left_mps + 0.0, other.left_mps + 0.0);
+  finder.compare("answer.right_mps", one.right_mps + 0.0, other.right_mps + 0.0);
+  finder.compare("answer.gripper_closed", one.gripper_closed, other.gripper_closed);
+  finder.compare("answer", to_transmission(one), to_transmission(other));
   return found;
 }
 

@@ -26,5 +26,8 @@ struct TracedStep {
 /// All differences between two steps, in causal order: robots that were moved, commands, transmissions,
 /// receptions, resulting poses; each sorted by robot.
 [[nodiscard]] std::vector<Difference> differences(const TracedStep& one, const TracedStep& other);
+/// Of the answers of robot `robot`; reports are not compared, because the run does not depend on them.
+[[nodiscard]] std::vector<Difference> differences(std::uint64_t robot, const caravan::Outputs& one,
+                                                  const caravan::Outputs& other);
 
 }  // namespace caravan::experiment

@@ -42,7 +42,7 @@ class RunTrace {
   }
   [[nodiscard]] TracedStep step() const {
     try {
-      return {read_world_step(world_bytes_, world_.robots()), read_radio_step(radio_bytes_)};
+      return {read_world_step(world_bytes_, world_.number()), read_radio_step(radio_bytes_)};
     } catch (const std::runtime_error& error) {
       throw runtime::StartError{name_ + "/trace: is damaged in step " + std::to_string(steps_) + ": " +
                                 error.what()};
@@ -54,7 +54,7 @@ class RunTrace {
   [[nodiscard]] std::string digest() const {
     return pure::digest(world_chain_.value(), radio_chain_.value());
   }
-  [[nodiscard]] std::uint32_t robots() const { return world_.robots(); }
+  [[nodiscard]] std::uint32_t robots() const { return world_.number(); }
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
   [[nodiscard]] bool cut_off() const { return cut_off_; }
   [[nodiscard]] const std::string& name() const { return name_; }

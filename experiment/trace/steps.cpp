@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <stdexcept>
+#include <utility>
 
 namespace caravan::experiment {
 namespace {
@@ -97,6 +98,40 @@ RadioStep read_radio_step(std::span<const std::uint8_t> bytes) {
   }
   source.end();
   return step;
+}
+
+caravan::Inputs read_inputs(std::span<const std::uint8_t> bytes) {
+  Source source{bytes};
+  caravan::Inputs inputs;
+  inputs.now = caravan::Time{static_cast<std::int64_t>(source.word())};
+  for (double& range_m : inputs.sensors.sonar_range_m) range_m = source.real();
+  for (double& age_s : inputs.sensors.sonar_age_s) age_s = source.real();
+  for (double* number : {&inputs.sensors.position.x_m, &inputs.sensors.position.y_m, &inputs.sensors.yaw_rad,
+                         &inputs.sensors.left_wheel_rad, &inputs.sensors.right_wheel_rad})
+    *number = source.real();
+  inputs.sensors.holding = source.word() != 0;
+  for (std::uint64_t left = source.word(); left > 0; --left) {
+    const auto channel = static_cast<std::uint32_t>(source.word());
+    std::vector<std::uint8_t> frame = source.bytes();
+    inputs.heard.push_back({channel, std::move(frame), source.real()});
+  }
+  source.end();
+  return inputs;
+}
+
+caravan::Outputs read_outputs(std::span<const std::uint8_t> bytes) {
+  Source source{bytes};
+  caravan::Outputs outputs;
+  outputs.left_mps = source.real();
+  outputs.right_mps = source.real();
+  outputs.gripper_closed = source.word() != 0;
+  outputs.tuned_channel = static_cast<std::uint32_t>(source.word());
+  for (std::uint64_t left = source.word(); left > 0; --left) {
+    const auto channel = static_cast<std::uint32_t>(source.word());
+    outputs.frames.push_back({channel, source.bytes()});
+  }
+  source.end();
+  return outputs;
 }
 
 }  // namespace caravan::experiment

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <caravan/types.hpp>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -56,5 +57,11 @@ struct RadioStep {
 [[nodiscard]] WorldStep read_world_step(std::span<const std::uint8_t> bytes, std::uint32_t robots);
 /// @throws std::runtime_error when the bytes are not exactly one step
 [[nodiscard]] RadioStep read_radio_step(std::span<const std::uint8_t> bytes);
+/// What a controller was given in a step, without Inputs::destination.
+/// @throws std::runtime_error when the bytes are not exactly that
+[[nodiscard]] caravan::Inputs read_inputs(std::span<const std::uint8_t> bytes);
+/// What it answered, without Outputs::report.
+/// @throws std::runtime_error when the bytes are not exactly that
+[[nodiscard]] caravan::Outputs read_outputs(std::span<const std::uint8_t> bytes);
 
 }  // namespace caravan::experiment

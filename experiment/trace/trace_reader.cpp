@@ -23,9 +23,9 @@ TraceReader::TraceReader(std::filesystem::path file, const std::string& part) : 
   std::getline(in_, heading);
   const std::size_t before = heading.rfind(' ');
   if (before != std::string::npos) {
-    std::from_chars(heading.data() + before + 1, heading.data() + heading.size(), robots_);
+    std::from_chars(heading.data() + before + 1, heading.data() + heading.size(), number_);
   }
-  if (heading + "\n" != runtime::trace_heading(part, robots_)) {
+  if (heading + "\n" != runtime::trace_heading(part, number_)) {
     throw runtime::StartError{file_.string() + ": is not a " + part + " trace of this version"};
   }
 }

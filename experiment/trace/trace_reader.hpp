@@ -12,7 +12,7 @@ namespace caravan::experiment {
 /// Reads a file written by runtime::TraceFile, step by step.
 class TraceReader {
  public:
-  /// @param part  runtime::kWorldTrace or kRadioTrace
+  /// @param part  as in runtime::trace_heading()
   /// @throws runtime::StartError when the file does not exist or is not a trace of this part
   TraceReader(std::filesystem::path file, const std::string& part);
 
@@ -20,13 +20,14 @@ class TraceReader {
   bool next(std::vector<std::uint8_t>& step);
   /// After the last step: whether a part of another follows. The process that wrote it was killed.
   [[nodiscard]] bool cut_off() const { return cut_off_; }
-  [[nodiscard]] std::uint32_t robots() const { return robots_; }
+  /// Number of robots; in a robot's part, the robot.
+  [[nodiscard]] std::uint32_t number() const { return number_; }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
  private:
   std::filesystem::path file_;
   std::ifstream in_;
-  std::uint32_t robots_ = 0;
+  std::uint32_t number_ = 0;
   bool cut_off_ = false;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot_agent/controller/controllers.hpp"
 
+#include <utility>
+
 #include "robot_agent/controller/paper_controller.hpp"
 #include "runtime/controller/library.hpp"
 #include "runtime/controller/make.hpp"
@@ -17,8 +19,8 @@ std::string controller_in(const runtime::TomlDocument& scenario) {
   return fs::absolute(fs::path{scenario.file()}.parent_path() / library).lexically_normal();
 }
 
-Controllers::Controllers(const runtime::TomlDocument& scenario, const std::string& library)
-    : scenario_{scenario} {
+Controllers::Controllers(const runtime::TomlDocument& scenario, const std::string& library, TraceFolder trace)
+    : scenario_{scenario}, trace_{std::move(trace)} {
   if (library != kPaper) {
     library_ = &runtime::load_controller(library);
     name_ = library_->name;
@@ -36,6 +38,13 @@ std::unique_ptr<Controller> Controllers::make(const Config& config) const {
   std::string library;
   table.read("library", library);
   return runtime::make_controller(*library_, robot_of(config), std::move(table));
+}
+
+runtime::GuardedController Controllers::make_guarded(const Config& config) const {
+  auto controller = make(config);
+  const std::uint32_t robot = config.id.value;
+  auto trace = trace_ ? std::make_unique<runtime::StepTrace>(*trace_, robot) : nullptr;
+  return {std::move(controller), name_, robot, std::move(trace)};
 }
 
 std::optional<Position> Controllers::destination_in_sight(const caravan::Sensors& sensors,

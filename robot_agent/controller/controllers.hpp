@@ -2,7 +2,9 @@
 #pragma once
 
 #include <caravan/controller.hpp>
-#include <functional>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +24,12 @@ inline constexpr const char* kPaper = "paper";
 /// Makes the controllers of a scenario's robots.
 class Controllers {
  public:
+  /// Existing folder for what each robot's controller is given and answers; none: no trace.
+  using TraceFolder = std::optional<std::filesystem::path>;
+
   /// @param library  kPaper or the path of a shared library
   /// @throws StartError when the library cannot be loaded
-  Controllers(const runtime::TomlDocument& scenario, const std::string& library);
+  Controllers(const runtime::TomlDocument& scenario, const std::string& library, TraceFolder trace = {});
   explicit Controllers(const runtime::TomlDocument& scenario)
       : Controllers{scenario, controller_in(scenario)} {}
 
@@ -34,10 +39,9 @@ class Controllers {
 
   /// A new controller for a robot. @throws StartError when it cannot be constructed
   [[nodiscard]] std::unique_ptr<Controller> make(const Config& config) const;
-  /// A new controller whose faults name it and the robot. @throws StartError when it cannot be constructed
-  [[nodiscard]] runtime::GuardedController make_guarded(const Config& config) const {
-    return {make(config), name_, config.id.value};
-  }
+  /// A new controller whose faults name it and the robot, and whose steps are recorded.
+  /// @throws StartError when it cannot be constructed, or its trace cannot be written
+  [[nodiscard]] runtime::GuardedController make_guarded(const Config& config) const;
   /// Value for Inputs::destination; none for the paper's agent, which finds the destination itself.
   [[nodiscard]] std::optional<Position> destination_in_sight(const caravan::Sensors& sensors,
                                                              const Config& config) const;
@@ -45,6 +49,7 @@ class Controllers {
  private:
   runtime::TomlDocument scenario_;
   std::string name_ = kPaper;
+  TraceFolder trace_;
   const ControllerLibrary* library_ = nullptr;  // owned by the process; null: the paper's agent
 };
 

@@ -11,6 +11,7 @@
 #include "robot_agent/core/radio/frames/codec.hpp"
 #include "robot_agent/core/radio/frames/text.hpp"
 #include "robot_agent/shell/wire.hpp"
+#include "runtime/config/write_error.hpp"
 #include "runtime/pure/overload.hpp"
 
 namespace caravan::agent {
@@ -121,6 +122,9 @@ void HostedAgent::step(const msg::SensorFrame& frame) {
   } catch (const runtime::ControllerFault& fault) {
     stepping_ = false;
     return break_off(fault.what());
+  } catch (const runtime::WriteError& error) {
+    stepping_ = false;
+    return break_off(error.what());
   }
   stepping_ = false;
   compute_ += std::chrono::steady_clock::now() - began;

@@ -38,8 +38,8 @@ class HostedAgent {
   [[nodiscard]] std::uint32_t robot() const { return config_.id.value; }
   [[nodiscard]] bool has_world() const { return session_ != 0; }
   [[nodiscard]] std::uint64_t refused_writes() const { return refused_writes_; }
-  /// The error that ended the controller; empty: none. The controller is not called again, and the wheels are
-  /// at zero.
+  /// The error that ended the controller or its trace; empty: none. The controller is not called again, and
+  /// the wheels are at zero.
   [[nodiscard]] const std::string& fault() const { return fault_; }
   /// True while the controller is in a step. Thread-safe.
   [[nodiscard]] bool is_stepping() const { return stepping_; }

@@ -18,6 +18,7 @@ std::string GuardedController::where() const {
 Outputs GuardedController::step(const Inputs& inputs) {
   ++steps_;
   now_ = inputs.now;
+  if (trace_) trace_->ask(inputs);
   Outputs outputs;
   try {
     outputs = controller_->step(inputs);
@@ -29,6 +30,7 @@ Outputs GuardedController::step(const Inputs& inputs) {
   if (!std::isfinite(outputs.left_mps) || !std::isfinite(outputs.right_mps))
     throw ControllerFault{where() + ": wheel speeds " + std::to_string(outputs.left_mps) + " and " +
                           std::to_string(outputs.right_mps) + " m/s are not finite"};
+  if (trace_) trace_->answer(outputs);
   return outputs;
 }
 

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <caravan/controller.hpp>
+#include <memory>
 #include <stdexcept>
+#include <string>
+
+#include "runtime/controller/step_trace.hpp"
 
 namespace caravan::runtime {
 
@@ -11,13 +15,16 @@ struct ControllerFault : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A robot's controller, with faults made into one kind of exception.
+/// A robot's controller, with faults made into one kind of exception, and its steps recorded if wanted.
 class GuardedController {
  public:
-  GuardedController(std::unique_ptr<Controller> controller, std::string name, std::uint32_t robot)
-      : controller_{std::move(controller)}, name_{std::move(name)}, robot_{robot} {}
+  /// @param trace  null: none
+  GuardedController(std::unique_ptr<Controller> controller, std::string name, std::uint32_t robot,
+                    std::unique_ptr<StepTrace> trace = nullptr)
+      : controller_{std::move(controller)}, name_{std::move(name)}, robot_{robot}, trace_{std::move(trace)} {}
 
   /// @throws ControllerFault when the controller throws, or its wheel speeds are not finite
+  /// @throws WriteError when the trace cannot be written
   [[nodiscard]] Outputs step(const Inputs& inputs);
 
   /// "controller mine, robot 3, step 1234 (39.488 s)": of the last step begun.
@@ -27,6 +34,7 @@ class GuardedController {
   std::unique_ptr<Controller> controller_;
   std::string name_;
   std::uint32_t robot_;
+  std::unique_ptr<StepTrace> trace_;
   std::uint64_t steps_ = 0;  // begun
   Time now_{0};
 };

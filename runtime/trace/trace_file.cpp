@@ -18,19 +18,25 @@ constexpr std::size_t kBufferSize = 1U << 18U;
 
 }  // namespace
 
-std::string trace_heading(const std::string& part, std::uint32_t robots) {
-  return "caravan trace 1 " + part + " " + std::to_string(robots) + "\n";
+std::string trace_heading(const std::string& part, std::uint32_t number) {
+  return "caravan trace 1 " + part + " " + std::to_string(number) + "\n";
 }
 
-TraceFile::TraceFile(std::filesystem::path file, const std::string& part, std::uint32_t robots)
-    : file_{std::move(file)}, heading_{trace_heading(part, robots)}, buffer_(kBufferSize) {
+std::filesystem::path robot_trace_in(const std::filesystem::path& folder, std::uint32_t robot) {
+  return folder / ("robot_" + std::to_string(robot) + ".trace");
+}
+
+TraceFile::TraceFile(std::filesystem::path file, const std::string& part, std::uint32_t number)
+    : file_{std::move(file)},
+      heading_{trace_heading(part, number)},
+      buffer_{std::make_unique_for_overwrite<char[]>(kBufferSize)} {
   open();
   if (!out_) throw StartError{cannot_write(file_, reason_).what()};
 }
 
 void TraceFile::open() {
   out_ = std::ofstream{};
-  out_.rdbuf()->pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  out_.rdbuf()->pubsetbuf(buffer_.get(), static_cast<std::streamsize>(kBufferSize));
   out_.open(file_, std::ios::binary | std::ios::trunc);
   out_ << heading_ << std::flush;
   note_reason();
@@ -56,6 +62,10 @@ void TraceFile::keep_up() {
   const Clock::time_point now = Clock::now();
   if (out_ && now - flushed_ < kFlushPeriod) return;
   flushed_ = now;
+  flush();
+}
+
+void TraceFile::flush() {
   out_.flush();
   note_reason();
   if (!out_) throw cannot_write(file_, reason_);

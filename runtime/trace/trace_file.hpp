@@ -12,21 +12,26 @@
 
 namespace caravan::runtime {
 
-/// Names of the traced chains.
+/// Parts of a trace: the two hash chains, and what one robot's controller was given and answered.
 inline constexpr const char* kWorldTrace = "world";
 inline constexpr const char* kRadioTrace = "radio";
+inline constexpr const char* kRobotTrace = "robot";
 
 /// The first line of a trace file, its line end included.
-[[nodiscard]] std::string trace_heading(const std::string& part, std::uint32_t robots);
+/// @param number  of robots; in a kRobotTrace, the robot's
+[[nodiscard]] std::string trace_heading(const std::string& part, std::uint32_t number);
 
-/// File of the data that a run adds to one of its hash chains, step by step; docs/digest.md describes it.
+/// The file of a robot's part, in the folder of a trace.
+[[nodiscard]] std::filesystem::path robot_trace_in(const std::filesystem::path& folder, std::uint32_t robot);
+
+/// File of one part of a trace, step by step; docs/digest.md describes it.
 ///
 /// Not thread-safe.
 class TraceFile {
  public:
-  /// @param part  kWorldTrace or kRadioTrace
+  /// @param part, number  as in trace_heading()
   /// @throws StartError when the file cannot be written
-  TraceFile(std::filesystem::path file, const std::string& part, std::uint32_t robots);
+  TraceFile(std::filesystem::path file, const std::string& part, std::uint32_t number);
 
   /// @param step  in canonical byte order
   void record(std::span<const std::uint8_t> step);
@@ -36,6 +41,9 @@ class TraceFile {
   /// process.
   /// @throws WriteError when the file can no longer be written
   void keep_up();
+  /// What was recorded survives the death of the process.
+  /// @throws WriteError when the file can no longer be written
+  void flush();
 
  private:
   void open();
@@ -44,7 +52,7 @@ class TraceFile {
 
   std::filesystem::path file_;
   std::string heading_;
-  std::vector<char> buffer_;  // declared before the stream, which uses it until destroyed
+  std::unique_ptr<char[]> buffer_;  // declared before the stream, which uses it until destroyed
   std::ofstream out_;
   int reason_ = 0;
   std::chrono::steady_clock::time_point flushed_;

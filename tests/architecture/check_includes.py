@@ -17,7 +17,7 @@ PROCESS = [STD, POSIX, LOG, "runtime", "idl"]
 # Folder -> what its files may include besides their own folder. The longest matching folder decides.
 ALLOWED = {
     "runtime/controller/include": [STD, CONTROLLER],
-    "runtime/controller": [STD, POSIX, CONTROLLER, "runtime/config", "runtime/pure"],
+    "runtime/controller": [STD, POSIX, CONTROLLER, "runtime/config", "runtime/pure", "runtime/trace"],
     "runtime/pure": [STD, CONTROLLER],
     "runtime/config": [STD, TOML, "runtime/pure"],
     "runtime/scenario": [STD, "runtime/config", "runtime/pure"],
@@ -45,10 +45,11 @@ ALLOWED = {
     "experiment": [STD, "runtime/config", "runtime/process", "runtime/bus/transport.hpp", "experiment/metrics"],
     "experiment/metrics": [STD, POSIX, JSON, CONTROLLER, "runtime/config", "runtime/pure"],
     "experiment/embedded": [STD, EIGEN, CONTROLLER, *CONFIG, "runtime/process", "runtime/trace", "experiment/metrics",
-                            "experiment/run_request.hpp", "robot_agent/controller", "robot_agent/core", "robot_agent/config", "runtime/controller", "world_server",
+                            "experiment/run_request.hpp", "experiment/exit_guard.hpp", "experiment/step_watch.hpp", "robot_agent/controller", "robot_agent/core", "robot_agent/config", "runtime/controller", "world_server",
                             "radio_emulator/medium", "radio_emulator/config"],
-    "experiment/trace": [STD, JSON, "runtime/config", "runtime/pure", "runtime/trace", "runtime/process", "experiment/metrics",
-                         "experiment/run_request.hpp"],
+    "experiment/trace": [STD, EIGEN, JSON, CONTROLLER, *CONFIG, "runtime/trace", "runtime/process", "experiment/metrics",
+                         "experiment/run_request.hpp", "experiment/exit_guard.hpp", "experiment/step_watch.hpp", "robot_agent/config",
+                         "robot_agent/controller"],
     "experiment/sweep": [STD, POSIX, JSON, "runtime/config", "runtime/process", "runtime/host/children.hpp", "experiment/metrics"],
     "experiment/report": [STD, POSIX, "runtime/config", "runtime/process"],
     "deploy/observer": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "experiment/metrics"],

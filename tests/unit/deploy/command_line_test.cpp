@@ -64,6 +64,7 @@ TEST(CommandLine, RefusesNamesOfFilesAndFoldersThatAreEmpty) {
                                              {"report", ""},
                                              {"report", "a", "--out", ""},
                                              {"diff", "a", ""},
+                                             {"step-agent", "", "--robot", "1"},
                                              {"deploy", ""},
                                              {"deploy", "a.toml", "--out", ""},
                                              {"deploy", "a.toml", "--junit", ""}})
@@ -132,6 +133,17 @@ TEST(CommandLine, ComparesTwoRuns) {
   EXPECT_EQ(std::get<DiffCommand>(command).other, "runs/b");
 }
 
+TEST(CommandLine, StepsAnAgentOfARun) {
+  const auto command =
+      read({"step-agent", "runs/a", "--robot", "3", "--controller", "mine.so", "--scenario", "b.toml"});
+  const auto& step_agent = std::get<StepAgentCommand>(command);
+  EXPECT_EQ(step_agent.run, "runs/a");
+  EXPECT_EQ(step_agent.robot, 3U);
+  EXPECT_EQ(step_agent.controller, "mine.so");
+  EXPECT_EQ(step_agent.scenario, "b.toml");
+  EXPECT_EQ(std::get<StepAgentCommand>(read({"step-agent", "a", "--robot", "1"})).controller, std::nullopt);
+}
+
 TEST(CommandLine, DeploysAScriptOverSharedMemoryUnlessToldOtherwise) {
   EXPECT_EQ(std::get<DeployCommand>(read({"deploy", "a.toml"})).transport, runtime::Transport::kSharedMemory);
   EXPECT_EQ(std::get<DeployCommand>(read({"deploy", "a.toml", "--transport", "udp"})).transport,
@@ -152,6 +164,7 @@ TEST(CommandLine, AnswersMistakesWithOneLineThatNamesThem) {
   EXPECT_THAT(complaint({"run", "a.toml", "--robots", "many"}), testing::HasSubstr("--robots"));
   EXPECT_THAT(complaint({"run", "a.toml", "--domain", "233"}), testing::HasSubstr("--domain"));
   EXPECT_THAT(complaint({"diff", "runs/a"}), testing::HasSubstr("other"));
+  EXPECT_THAT(complaint({"step-agent", "runs/a"}), testing::HasSubstr("--robot"));
   EXPECT_THAT(complaint({"sweep", "a.toml"}), testing::HasSubstr("--out"));
   EXPECT_THAT(complaint({"sweep", "a.toml", "--out", "o", "--jobs", "0"}), testing::HasSubstr("--jobs"));
   EXPECT_THAT(complaint({"sweep", "a.toml", "--out", "o", "--summarise", "--task-index", "1"}),

@@ -39,7 +39,7 @@ TEST_F(TraceFiles, GiveBackTheirStepsAndTheNumberOfRobots) {
     for (const Bytes& step : three_) trace.record(step);
   }
   EXPECT_EQ(steps(), three_);
-  EXPECT_EQ((TraceReader{file(), kWorldTrace}.robots()), 15U);
+  EXPECT_EQ((TraceReader{file(), kWorldTrace}.number()), 15U);
 }
 
 TEST_F(TraceFiles, CutOffAnywhereGiveTheWholeStepsBefore) {

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "experiment/trace/step_agent.hpp"
+
+#include <atomic>
+#include <cstdlib>
+#include <stdexcept>
+#include <vector>
+
+#include "experiment/exit_guard.hpp"
+#include "experiment/metrics/csv_file.hpp"
+#include "experiment/metrics/observation.hpp"
+#include "experiment/step_watch.hpp"
+#include "experiment/trace/compare.hpp"
+#include "experiment/trace/trace_reader.hpp"
+#include "robot_agent/config/agent_config.hpp"
+#include "robot_agent/controller/controllers.hpp"
+#include "runtime/config/start_error.hpp"
+#include "runtime/process/run_process.hpp"
+#include "runtime/scenario/shared_tables.hpp"
+#include "runtime/trace/trace_file.hpp"
+
+namespace caravan::experiment {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+std::filesystem::path trace_of(const StepAgentRequest& request) {
+  const std::uint32_t robots = runtime::read_robots(request.scenario).count;
+  if (request.robot < 1 || request.robot > robots) {
+    throw runtime::StartError{request.run.string() + ": has no robot " + std::to_string(request.robot) +
+                              ", its robots are 1 to " + std::to_string(robots)};
+  }
+  return runtime::robot_trace_in(request.run / "trace", request.robot);
+}
+
+/// One robot's part of a trace: what its controller was given and, unless it failed, what it answered.
+class RobotTrace {
+ public:
+  explicit RobotTrace(const std::filesystem::path& file) : reader_{file, runtime::kRobotTrace} {}
+
+  /// @return false: no whole record is left
+  [[nodiscard]] bool next_inputs(caravan::Inputs& inputs) { return next(inputs, read_inputs); }
+  [[nodiscard]] bool next_answer(caravan::Outputs& answer) { return next(answer, read_outputs); }
+  [[nodiscard]] bool cut_off() const { return reader_.cut_off(); }
+
+ private:
+  template <typename Value>
+  bool next(Value& value, Value (*read)(std::span<const std::uint8_t>)) {
+    if (!reader_.next(bytes_)) return false;
+    ++records_;
+    try {
+      value = read(bytes_);
+    } catch (const std::runtime_error& error) {
+      throw runtime::StartError{reader_.file().string() + ": is damaged in step " +
+                                std::to_string((records_ + 1) / 2) + ": " + error.what()};
+    }
+    return true;
+  }
+
+  TraceReader reader_;
+  Bytes bytes_;
+  std::uint64_t records_ = 0;  // two for each step
+};
+
+/// The controller that is compared, with faults that end the comparison.
+class Candidate {
+ public:
+  explicit Candidate(const StepAgentRequest& request)
+      : controllers_{request.scenario, request.controller},
+        config_{agent::load_config(request.scenario, request.robot)},
+        controller_{controllers_.make_guarded(config_)} {}
+
+  /// @throws runtime::StartError when it fails
+  [[nodiscard]] caravan::Outputs step(caravan::Inputs& inputs) {
+    inputs.destination = controllers_.destination_in_sight(inputs.sensors, config_);
+    calls_.fetch_add(1, std::memory_order_release);
+    try {
+      caravan::Outputs outputs = controller_.step(inputs);
+      calls_.fetch_add(1, std::memory_order_release);
+      return outputs;
+    } catch (const runtime::ControllerFault& fault) {
+      throw runtime::StartError{fault.what()};
+    }
+  }
+  [[nodiscard]] const std::string& name() const { return controllers_.name(); }
+
+ private:
+  [[noreturn]] void give_up(std::uint64_t call) const {
+    std::fprintf(stderr, "controller %s, robot %u, step %llu: has not returned for %lld s\n", name().c_str(),
+                 unsigned{config_.id.value}, static_cast<unsigned long long>(call / 2 + 1),
+                 static_cast<long long>(StepWatch::kLongestStep.count()));
+    std::_Exit(runtime::kCouldNotStart);
+  }
+
+  agent::Controllers controllers_;
+  agent::Config config_;
+  runtime::GuardedController controller_;
+  std::atomic<std::uint64_t> calls_ = 0;
+  const ExitGuard exit_guard_{runtime::kCouldNotStart};
+  const StepWatch watch_{calls_, [this](std::uint64_t call) { give_up(call); }};
+};
+
+void tell(std::uint64_t step, caravan::Time now, const std::vector<Difference>& found, std::FILE* out) {
+  const Difference& first = found.front();
+  std::fprintf(out, "step %llu (%s s): robot %llu %s: %s | %s\n", static_cast<unsigned long long>(step),
+               fixed(in_seconds(now), 3).c_str(), static_cast<unsigned long long>(first.robot),
+               first.quantity.c_str(), first.one.c_str(), first.other.c_str());
+  if (found.size() > 1) std::fprintf(out, "%zu more values differ in this step\n", found.size() - 1);
+}
+
+}  // namespace
+
+int step_agent(const StepAgentRequest& request, std::FILE* out) {
+  const std::filesystem::path file = trace_of(request);
+  RobotTrace trace{file};
+  Candidate candidate{request};
+  caravan::Inputs inputs;
+  caravan::Outputs recorded;
+  std::uint64_t steps = 0;
+  while (trace.next_inputs(inputs)) {
+    const caravan::Outputs answer = candidate.step(inputs);
+    // Here the run was killed, or its controller failed. The step was taken nevertheless: this one might fail
+    // as well.
+    if (!trace.next_answer(recorded)) {
+      std::fprintf(out, "%s: has no answer to step %llu\n", file.c_str(),
+                   static_cast<unsigned long long>(steps + 1));
+      break;
+    }
+    ++steps;
+    const auto found = differences(request.robot, recorded, answer);
+    if (found.empty()) continue;
+    tell(steps, inputs.now, found, out);
+    return 1;
+  }
+  if (steps == 0) throw runtime::StartError{file.string() + ": has no whole step"};
+  if (trace.cut_off())
+    std::fprintf(out, "%s: is incomplete after step %llu\n", file.c_str(),
+                 static_cast<unsigned long long>(steps));
+  std::fprintf(out, "equal: robot %u, controller %s, %llu steps\n", request.robot, candidate.name().c_str(),
+               static_cast<unsigned long long>(steps));
+  return 0;
+}
+
+}  // namespace caravan::experiment
