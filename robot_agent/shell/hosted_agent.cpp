@@ -142,7 +142,6 @@ void HostedAgent::step(const msg::SensorFrame& frame) {
   } catch (const runtime::ControllerFault& fault) {
     return break_off(fault.what());
   } catch (const runtime::WriteError& error) {
-    stepping_ = false;
     return break_off(error.what());
   }
   compute_ += std::chrono::steady_clock::now() - began;
