@@ -47,13 +47,6 @@ runtime::GuardedController Controllers::make_guarded(const Config& config) const
   return {std::move(controller), name_, robot, std::move(trace)};
 }
 
-runtime::GuardedController Controllers::make_guarded(const Config& config) const {
-  auto controller = make(config);
-  const std::uint32_t robot = config.id.value;
-  auto trace = trace_ ? std::make_unique<runtime::StepTrace>(*trace_, robot) : nullptr;
-  return {std::move(controller), name_, robot, std::move(trace)};
-}
-
 std::optional<Position> Controllers::destination_in_sight(const caravan::Sensors& sensors,
                                                           const Config& config) const {
   return !loaded_ ? std::nullopt : agent::destination_in_sight(sensors, config);

@@ -93,7 +93,7 @@ class SwitchedAgent {
     msg::RobotCommand command;
     if (!has("no_stamp")) command.stamp(frame.stamp());
     command.session(frame.session());
-    command.left_mps(0.1 + 0.001 * steps_);
+    command.left_mps(0.1 + 0.001 * static_cast<double>(steps_));
     command.right_mps(0.1);
     if (has("not_finite") && !(frame.gps_x_m() < 1e9))
       command.left_mps(std::numeric_limits<double>::quiet_NaN());

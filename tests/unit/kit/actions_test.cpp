@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "build_paths.hpp"
+#include "deploy/kit/quantities.hpp"
 
 namespace caravan::deploy {
 namespace {
