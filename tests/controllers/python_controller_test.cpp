@@ -85,20 +85,20 @@ TEST_F(PythonController, SaysWhyItCannotBeMade) {
             of("no_class") + "no_class.py: TypeError: there is no class with a function step(self, inputs)");
   EXPECT_THAT(refusal("two_classes"), HasSubstr("more than one class with a function step: Left, Right;"));
   EXPECT_EQ(refusal("faulty", "fault = \"constructor\"\n"),
-            of("faulty") + "faulty.py:19: RuntimeError: no map");
+            of("faulty") + "faulty.py:18: RuntimeError: no map");
 }
 
 TEST_F(PythonController, IsNamedWithRobotStepAndLineWhenItFails) {
   const std::string where = "controller faulty, robot 2, step 3 (0.064 s): ";
   const std::string threw = where + "threw an exception: ";
   EXPECT_EQ(fault_of("none"), "");
-  EXPECT_EQ(fault_of("throws"), threw + "faulty.py:32: KeyError: 'cell'");
-  EXPECT_EQ(fault_of("throws_in_numpy"), threw + "faulty.py:35: LinAlgError: Singular matrix");
+  EXPECT_EQ(fault_of("throws"), threw + "faulty.py:31: KeyError: 'cell'");
+  EXPECT_EQ(fault_of("throws_in_numpy"), threw + "faulty.py:34: LinAlgError: Singular matrix");
   EXPECT_EQ(fault_of("writes_a_sonar"),
-            threw + "faulty.py:38: ValueError: assignment destination is read-only");
+            threw + "faulty.py:37: ValueError: assignment destination is read-only");
   EXPECT_THAT(fault_of("asks_late"),
-              HasSubstr("faulty.py:42: RuntimeError: parameters are asked for in __init__"));
-  EXPECT_EQ(fault_of("exits"), threw + "faulty.py:45: SystemExit: 0");
+              HasSubstr("faulty.py:41: RuntimeError: parameters are asked for in __init__"));
+  EXPECT_EQ(fault_of("exits"), threw + "faulty.py:44: SystemExit: 0");
   EXPECT_EQ(fault_of("nothing"), threw + "TypeError: step() returned NoneType where Outputs is needed");
   EXPECT_EQ(fault_of("word_for_a_speed"),
             threw + "TypeError: step() returned Outputs.left_mps = 'fast', must be a number");

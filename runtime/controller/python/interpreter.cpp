@@ -2,6 +2,7 @@
 #include "runtime/controller/python/interpreter.hpp"
 
 #include <dlfcn.h>
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <filesystem>
@@ -40,7 +41,6 @@ std::string package_folder() {
 }
 
 void add_to_path(const std::string& folder) {
-  const py::gil_scoped_acquire lock;
   auto path = py::reinterpret_borrow<py::list>(py::module_::import("sys").attr("path"));
   if (!path.contains(folder)) path.insert(0, folder);
 }
@@ -51,7 +51,11 @@ void start_interpreter() {
   static std::once_flag once;
   std::call_once(once, [] {
     if (Py_IsInitialized() == 0) initialise();
+    const py::gil_scoped_acquire lock;
     add_to_path(package_folder());
+    // pybind11 imports NumPy while it initialises a static variable. The import gives Python's lock away: no
+    // other thread may have it and wait for that variable.
+    (void)py::dtype::of<double>();
   });
 }
 
