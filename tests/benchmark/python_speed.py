@@ -23,7 +23,7 @@ def one_run(options, controller):
                         str(options.robots), "--items", "0", "--max-time", str(options.seconds), "--quiet", "--out", out,
                         "--controller", controller], check=True)
         metrics = json.loads((out / "metrics.json").read_text())
-    step_us = 1e6 * metrics["time_split_s"]["agents"] / (options.robots * metrics["sim_time_s"] / STEP_S)
+    step_us = 1e6 * metrics["time_split"]["agents"] / (options.robots * metrics["sim_time_s"] / STEP_S)
     return metrics["sim_time_s"] / metrics["wall_time_s"], step_us, metrics["digest"]
 
 

@@ -2,6 +2,7 @@
 // Controllers from shared libraries, in both engines.
 #include <gmock/gmock.h>
 #include <signal.h>
+#include <stdlib.h>
 
 #include <nlohmann/json.hpp>
 
@@ -177,6 +178,22 @@ TEST_F(PythonControllerRun, GivesTheSameDigestInBothEnginesAndAsTheSameControlle
   together.insert(together.end(), {"--agents-per-process", "4"});
   EXPECT_EQ(run(keys, "dds", "together", together).metrics["digest"], embedded.metrics["digest"]);
   EXPECT_THAT(read_file(folder_ / "dds" / "events.csv"), HasSubstr(",began,turn="));
+}
+
+TEST_F(PythonControllerRun, UsesDebiansPackagesWhateverPythonComesFirstInThePath) {
+  const fs::path other = folder_ / "other";
+  for (const char* version : {"python3.11", "python3.13"}) {
+    fs::create_directories(other / "lib" / version / "lib-dynload");
+    test::write_file(other / "lib" / version / "os.py", "raise ImportError\n");
+  }
+  fs::create_directories(other / "bin");
+  test::write_file(other / "bin/python3", "#!/bin/sh\n");
+  fs::permissions(other / "bin/python3", fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", ((other / "bin").string() + ":" + path).c_str(), 1);
+  const Ended ended = run("", "embedded", "out", {"--controller", kPython / "chatterer.py"});
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(ended.exit_code, 0) << ended.said;
 }
 
 TEST_F(PythonControllerRun, EndsARunThatItBreaksAndClosesItsRecords) {

@@ -5,6 +5,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <mutex>
 #include <stdexcept>
@@ -13,6 +14,18 @@
 namespace caravan::python {
 namespace py = pybind11;
 namespace {
+
+/// The interpreter whose packages are used: that of an active virtual environment of this version of Python,
+/// otherwise Debian's, whatever comes first in PATH.
+std::string interpreter() {
+  if (const char* environment = std::getenv("VIRTUAL_ENV"); environment != nullptr) {
+    const std::filesystem::path folder{environment};
+    const std::string version =
+        "python" + std::to_string(PY_MAJOR_VERSION) + "." + std::to_string(PY_MINOR_VERSION);
+    if (std::filesystem::exists(folder / "lib" / version)) return folder / "bin/python3";
+  }
+  return "/usr/bin/python3";
+}
 
 void initialise() {
   PyConfig config;
@@ -23,7 +36,8 @@ void initialise() {
   config.hash_seed = 0;
   config.buffered_stdio = 0;
   config.write_bytecode = 0;
-  const PyStatus status = Py_InitializeFromConfig(&config);
+  PyStatus status = PyConfig_SetBytesString(&config, &config.program_name, interpreter().c_str());
+  if (PyStatus_Exception(status) == 0) status = Py_InitializeFromConfig(&config);
   PyConfig_Clear(&config);
   if (PyStatus_Exception(status) != 0)
     throw std::runtime_error{std::string{"Python does not start: "} +
