@@ -3,6 +3,8 @@
 // and the load of the machine. The slow cases are in determinism_long_test.cpp.
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "build_paths.hpp"
 #include "tests/system/support/burners.hpp"
 #include "tests/system/support/digest_of.hpp"
