@@ -25,6 +25,14 @@ if(BUILD_TESTING)
   endif()
 endif()
 
+# caravan_reuse_test_headers(NAME): compiles a program of tests with the common headers, where there are any.
+function(caravan_reuse_test_headers name)
+  if(TARGET caravan_test_headers)
+    target_precompile_headers(${name} REUSE_FROM caravan_test_headers)
+    target_compile_options(${name} PRIVATE ${CARAVAN_TEST_HEADERS_OPTIONS})
+  endif()
+endfunction()
+
 # caravan_test(NAME LABEL level SOURCES... LINK... [TIMEOUT seconds] [SLOW]): a GoogleTest program; every case is a ctest with that label.
 # With SLOW the label is <level>-slow: gtest_discover_tests takes only one label. TIMEOUT is the time that a case may take on an idle machine. On
 # other machines tests wait longer themselves (tests/support/patience.hpp); ctest ends a stuck case at ten times that.
@@ -36,10 +44,7 @@ function(caravan_test name)
   math(EXPR arg_TIMEOUT "10 * ${arg_TIMEOUT}")
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE caravan_warnings GTest::gmock GTest::gtest_main ${arg_LINK})
-  if(TARGET caravan_test_headers)
-    target_precompile_headers(${name} REUSE_FROM caravan_test_headers)
-    target_compile_options(${name} PRIVATE ${CARAVAN_TEST_HEADERS_OPTIONS})
-  endif()
+  caravan_reuse_test_headers(${name})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_include_directories(${name} PRIVATE ${CARAVAN_BUILD_PATHS_DIR})
   set(label ${arg_LABEL})
