@@ -37,7 +37,7 @@ ALLOWED = {
     "world_server/physics": [STD, ODE, *CONFIG, "world_server"],
     "world_server/config": [STD, *CONFIG, "world_server"],
     "world_server/shell": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "world_server"],
-    "world_server": [STD, *CONFIG, "world_server"],
+    "world_server": [STD, CONTROLLER, *CONFIG, "world_server"],
     "world_server/main.cpp": [*PROCESS, "world_server"],
     "radio_emulator/medium": [STD, "runtime/pure"],
     "radio_emulator/config": [STD, *CONFIG, "radio_emulator/medium"],
