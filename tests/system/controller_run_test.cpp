@@ -20,6 +20,7 @@ using testing::HasSubstr;
 
 const fs::path kLibraries = fs::path{CARAVAN_BIN_DIR}.parent_path() / "tests/controllers";
 const fs::path kPython = fs::path{CARAVAN_SOURCE_DIR} / "tests/controllers/python";
+const std::string kHangs = "hangs";  // a fault of the controller `faulty`
 
 class ControllerRun : public testing::Test {
  protected:
@@ -128,30 +129,34 @@ TEST_F(ControllerRun, IsInterruptedAtOnceWhileAStepDoesNotReturn) {
   ASSERT_TRUE(process.prints("faulty hangs", test::kPatience)) << process.output();
   process.signal(SIGINT);
   EXPECT_EQ(process.wait(test::kPatience), 130) << process.output();
-  EXPECT_THAT(process.output(),
-              HasSubstr("controller faulty, robot 2, step 40: the run is stopped before it returns"));
+  EXPECT_THAT(
+      process.output(),
+      HasSubstr("controller faulty, robot 2, step 40: has not returned, and this process is stopped"));
   const auto metrics = nlohmann::json::parse(read_file(folder_ / "out/metrics.json"));
   EXPECT_EQ(metrics["ended"], true);
 }
 
 TEST_F(ControllerRun, EndsAnEmbeddedRunThatAControllerBreaksAndClosesItsRecords) {
-  for (const char* fault : {"throws", "nan", "hangs"}) {
-    const Ended ended = run("at_step = 40\nfault = \"" + std::string{fault} + "\"\n", "embedded", fault,
+  for (const std::string& fault : {std::string{"throws"}, std::string{"nan"}, kHangs}) {
+    const Ended ended = run("at_step = 40\nfault = \"" + fault + "\"\n", "embedded", fault,
                             {"--controller", kLibraries / "faulty.so"});
     EXPECT_EQ(ended.exit_code, 1) << ended.said;
     EXPECT_THAT(ended.said, HasSubstr("controller faulty, robot 2, step 40"));
+    EXPECT_THAT(ended.said, HasSubstr(fault == kHangs ? ": has not returned for 10 s\n" : ""));
     EXPECT_EQ(ended.metrics["ended"], true);
     EXPECT_EQ(ended.metrics["completed"], false);
   }
 }
 
 TEST_F(ControllerRun, GoesOnOverDdsWithoutTheRobotWhoseControllerFailed) {
-  for (const char* fault : {"throws", "nan", "hangs"}) {
-    const Ended ended = run("at_step = 40\nfault = \"" + std::string{fault} + "\"\n", "dds", fault,
+  for (const std::string& fault : {std::string{"throws"}, std::string{"nan"}, kHangs}) {
+    const Ended ended = run("at_step = 40\nfault = \"" + fault + "\"\n", "dds", fault,
                             {"--controller", kLibraries / "faulty.so"});
     EXPECT_EQ(ended.exit_code, 0) << ended.said;
     EXPECT_EQ(ended.metrics["disturbed"], true);
     EXPECT_THAT(log_of(fault, "robot_agent_2"), HasSubstr("controller faulty, robot 2"));
+    EXPECT_THAT(log_of(fault, "robot_agent_2"),
+                HasSubstr(fault == kHangs ? ": a step has not returned for 10 s\n" : ""));
     EXPECT_EQ(ended.metrics["sim_time_s"], 20.0);
   }
 }
