@@ -112,11 +112,21 @@ TEST_F(ControllerRun, NamesAControllerThatCrashes) {
     EXPECT_EQ(ended.exit_code, 128 + SIGSEGV);
     EXPECT_THAT(ended.said, HasSubstr("controller faulty, robot 2, step 600: ends the process by SIGSEGV"));
   }
-  const Ended dds =
-      run("at_step = 40\nfault = \"crashes\"\n", "dds", "dds", {"--controller", kLibraries / "faulty.so"});
-  EXPECT_EQ(dds.exit_code, 0) << dds.said;
-  EXPECT_THAT(log_of("dds", "robot_agent_2"),
-              HasSubstr("controller faulty, robot 2, step 40: ends the process by SIGSEGV"));
+}
+
+/// An agent steps on a thread of DDS; several in a process step on another one of their own.
+TEST_F(ControllerRun, NamesAControllerThatCrashesOnAThreadOfDds) {
+  const std::vector<std::vector<std::string>> runs = {{"crashes", "1", "robot_agent_2"},
+                                                      {"overflows", "1", "robot_agent_2"},
+                                                      {"overflows", "2", "robot_agent_1-2"}};
+  for (const auto& one : runs) {
+    const std::string name = one[0] + one[1];
+    const Ended dds = run("at_step = 40\nfault = \"" + one[0] + "\"\n", "dds", name,
+                          {"--controller", kLibraries / "faulty.so", "--agents-per-process", one[1]});
+    EXPECT_EQ(dds.exit_code, 0) << dds.said;
+    EXPECT_THAT(log_of(name, one[2]),
+                HasSubstr("controller faulty, robot 2, step 40: ends the process by SIGSEGV"));
+  }
 }
 
 TEST_F(ControllerRun, IsInterruptedAtOnceWhileAStepDoesNotReturn) {
