@@ -146,6 +146,25 @@ TEST_F(ControllerRun, IsInterruptedAtOnceWhileAStepDoesNotReturn) {
   EXPECT_EQ(metrics["ended"], true);
 }
 
+TEST_F(ControllerRun, IsInterruptedAtOnceWhileAConstructorDoesNotReturn) {
+  const fs::path file = folder_ / "mine.toml";
+  test::write_file(file, read_file(test::scenario("small.toml")) +
+                             "\n[controller]\nfault = \"constructor_hangs\"\nlibrary = \"" +
+                             (kLibraries / "faulty.so").string() + "\"\n");
+  // `check` and `step-agent` leave the signal to the system, `run` and `sweep` do not.
+  for (const std::string command : {"run", "sweep", "check"}) {
+    std::vector<std::string> words{"caravan", command, file};
+    if (command != "check") words.insert(words.end(), {"--out", folder_ / "out"});
+    Process process{words, folder_ / (command + ".log")};
+    ASSERT_TRUE(process.prints("faulty hangs", test::kPatience)) << process.output();
+    process.signal(SIGINT);
+    EXPECT_EQ(process.wait(test::kPatience), 130) << process.output();
+    const char* said = command == "check" ? "" : "stopped while it tried the controllers";
+    EXPECT_THAT(process.output(), HasSubstr(said));
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+  }
+}
+
 TEST_F(ControllerRun, EndsAnEmbeddedRunThatAControllerBreaksAndClosesItsRecords) {
   for (const std::string& fault : {std::string{"throws"}, std::string{"nan"}, kHangs}) {
     const Ended ended = run("at_step = 40\nfault = \"" + fault + "\"\n", "embedded", fault,
