@@ -96,6 +96,15 @@ def check_runs(folder: pathlib.Path) -> list[pathlib.Path]:
     return runs
 
 
+def check_contract(user: User, prefix: pathlib.Path) -> None:
+    """The agent contract suite judges an agent of the package, and one that is a program of the user's."""
+    said = user.run(f"{prefix}/bin/agent_contract --gtest_filter=*P50* -- --controller {prefix}/lib/caravan/controllers/braitenberg.so")
+    expect("[  PASSED  ] 1 test." in said, said)
+    user.run("printf '#!/bin/sh\\nexec sleep 60\\n' > silent && chmod +x silent")
+    said = user.run(f"TMPDIR=$HOME {prefix}/bin/agent_contract --agent ./silent --patience 1 --gtest_filter=*P53*", exit_code=1)
+    expect("tests/contract/agent/step_rules.cpp:" in said and "[  FAILED  ] 1 test" in said, said)
+
+
 def test(build: pathlib.Path, folder: pathlib.Path) -> None:
     install(build, folder / "first")
     prefix = (folder / "first").rename(folder / "second")
@@ -121,6 +130,7 @@ def test(build: pathlib.Path, folder: pathlib.Path) -> None:
     user.run(f"{caravan} run {share}/scenarios/small.toml --engine embedded --items 0 --max-time 5 --quiet"
              f" --controller {prefix}/lib/caravan/controllers/braitenberg.so")
     user.run(f"{caravan} deploy {share}/scripts/robot_killed.toml --check")
+    check_contract(user, prefix)
 
 
 def main() -> int:
