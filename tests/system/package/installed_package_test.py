@@ -107,16 +107,16 @@ def check_links(prefix: pathlib.Path) -> None:
 
 
 def check_texts(user: User, prefix: pathlib.Path) -> None:
-    """Files that help, advice and units name are installed."""
+    """Files that help, advice, units and containers name are installed."""
     texts = "".join(user.run(f"{prefix}/bin/{command} --help") for command in ("caravan run", "caravan", "caravan ctl", "agent_contract"))
     profile = (prefix / "share/caravan/fastdds/discovery.xml").read_text(encoding="utf-8")
     (user.folder / "mine.xml").write_text(profile.replace("11811", "11789"), encoding="utf-8")
     texts += user.run(f"{prefix}/bin/caravan doctor --transport mine.xml || true")
     named = re.findall(r"/\S+\.md", texts) + re.findall(r"-x (\S+\.xml)", texts)
     expect(len(named) >= 6 and named[-1].endswith(".xml"), texts)
-    for unit in (prefix / "share/caravan/systemd").glob("*.service"):
-        named += [f"{prefix}/{name}" for name in re.findall(r"^Documentation=file:/opt/caravan/(.*)$", unit.read_text(encoding="utf-8"), re.M)]
-    missing = [name for name in named if not pathlib.Path(name).is_file()]
+    for file in [*(prefix / "share/caravan/systemd").glob("*.service"), *(ROOT / "deploy/container").iterdir()]:
+        named += [f"{prefix}/{name}" for name in re.findall(r"/opt/caravan/([^\s:,]+)", file.read_text(encoding="utf-8"))]
+    missing = [name for name in named if not pathlib.Path(name).exists()]
     expect(not missing, "\n".join(missing))
 
 
