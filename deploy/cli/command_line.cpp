@@ -12,6 +12,7 @@
 #include "runtime/process/data_folder.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/process/version.hpp"
+#include "runtime/pure/one_line.hpp"
 
 namespace caravan::deploy {
 namespace {
@@ -158,7 +159,15 @@ void add_doctor_options(CLI::App& doctor, DoctorCommand& command) {
 
 Exit explain(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return {app.exit(error)};
-  std::fprintf(stderr, "caravan: %s (see caravan --help)\n", error.what());
+  const auto chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "caravan" : "caravan " + chosen.front()->get_name();
+  std::string why = error.what();
+  if (const auto rest = app.remaining(); chosen.empty() && !rest.empty()) {
+    const char* kind = rest.front().starts_with('-') ? "option" : "command";
+    why = "there is no " + std::string{kind} + " \"" + rest.front() + "\"";
+  }
+  std::fprintf(stderr, "%s: %s (see %s --help)\n", command.c_str(), pure::one_line(why).c_str(),
+               command.c_str());
   return {runtime::kCouldNotStart};
 }
 

@@ -67,6 +67,19 @@ TEST(CommandLine, NamesPagesThatAreThereInItsHelp) {
   }
 }
 
+TEST(CommandLine, NamesAnUnknownCommandAndTheHelpOfTheCommandThatIsWrong) {
+  EXPECT_EQ(complaint({"bogus"}), "caravan: there is no command \"bogus\" (see caravan --help)\n");
+  EXPECT_EQ(complaint({"bogus", "small.toml", "--quiet"}),
+            "caravan: there is no command \"bogus\" (see caravan --help)\n");
+  EXPECT_EQ(complaint({"--bogus"}), "caravan: there is no option \"--bogus\" (see caravan --help)\n");
+  EXPECT_THAT(complaint({}), testing::EndsWith("(see caravan --help)\n"));
+  for (const char* command : {"run", "sweep", "step-agent", "ctl", "deploy", "doctor", "check"}) {
+    const std::string said = complaint({command, "--bogus"});
+    EXPECT_THAT(said, testing::StartsWith("caravan " + std::string{command} + ": "));
+    EXPECT_THAT(said, testing::EndsWith("(see caravan " + std::string{command} + " --help)\n"));
+  }
+}
+
 TEST(CommandLine, AReportTakesAnyNumberOfFoldersAndAtLeastOne) {
   const auto command = read({"report", "runs/a", "runs/b", "--out", "/tmp/x"});
 
