@@ -15,6 +15,7 @@ find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
+find_package(GTest REQUIRED)  # of the tests, and of agent_contract, which is installed
 # Only the modules of Python use these; no program is linked with Python, which is loaded when a controller is written in it.
 # Debian's own interpreter: it has Debian's packages, whatever python3 is first in the path.
 set(Python3_EXECUTABLE /usr/bin/python3)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 include(CTest)
 if(BUILD_TESTING)
-  find_package(GTest REQUIRED)
   include(GoogleTest)
   # A header instead of definitions for every file: files that do not use these paths compile the same in every checkout.
   set(CARAVAN_BUILD_PATHS_DIR ${CMAKE_BINARY_DIR}/generated/build_paths)

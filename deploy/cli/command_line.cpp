@@ -9,8 +9,10 @@
 
 #include "deploy/control/run_ctl.hpp"
 #include "deploy/kit/run_script.hpp"
+#include "runtime/process/data_folder.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/process/version.hpp"
+#include "runtime/pure/one_line.hpp"
 
 namespace caravan::deploy {
 namespace {
@@ -24,8 +26,9 @@ void add_changes(CLI::App& app, Overrides& overrides) {
   app.add_option("--robots", overrides.robots, "Number of robots");
   app.add_option("--items", overrides.items, "Deliveries that end the run; 0: only the time limit ends it");
   app.add_option("--max-time", overrides.max_time_s, "Simulated seconds after which the run ends");
-  app.add_option("--controller", overrides.controller,
-                 "What drives the robots: paper, or a shared library (see docs/your_own_agent.md)");
+  app.add_option(
+      "--controller", overrides.controller,
+      "What drives the robots: paper, or a shared library; see " + runtime::page("your_own_agent.md"));
   app.add_option("--pacing", overrides.pacing, "fast, realtime or free")
       ->check(CLI::IsMember({"fast", "realtime", "free"}));
 }
@@ -39,8 +42,8 @@ void add_engine(CLI::App& app, std::string& engine) {
 void add_transport(CLI::App& app, runtime::Transport& transport) {
   app.add_option_function<std::string>(
          "--transport", [&](const std::string& text) { transport = runtime::transport_named(text); },
-         "DDS transport. shm: shared memory; udp: unicast on 127.0.0.1; FILE.xml: a profile, see "
-         "docs/hosts.md")
+         "DDS transport. shm: shared memory; udp: unicast on 127.0.0.1; FILE.xml: a profile, see " +
+             runtime::page("hosts.md"))
       ->check(runtime::complaint_about_transport)
       ->default_str(to_text(transport));
 }
@@ -156,7 +159,15 @@ void add_doctor_options(CLI::App& doctor, DoctorCommand& command) {
 
 Exit explain(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return {app.exit(error)};
-  std::fprintf(stderr, "caravan: %s (see caravan --help)\n", error.what());
+  const auto chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "caravan" : "caravan " + chosen.front()->get_name();
+  std::string why = error.what();
+  if (const auto rest = app.remaining(); chosen.empty() && !rest.empty()) {
+    const char* kind = rest.front().starts_with('-') ? "option" : "command";
+    why = "there is no " + std::string{kind} + " \"" + rest.front() + "\"";
+  }
+  std::fprintf(stderr, "%s: %s (see %s --help)\n", command.c_str(), pure::one_line(why).c_str(),
+               command.c_str());
   return {runtime::kCouldNotStart};
 }
 
@@ -190,8 +201,9 @@ Command read_command_line(int argc, const char* const* argv) {
       ->required()
       ->check(complaint_about_name);
   NewCommand new_command;
-  CLI::App* new_project = app.add_subcommand(
-      "new", "Write a project of your own: controller, scenario, test (see docs/your_own_agent.md)");
+  CLI::App* new_project =
+      app.add_subcommand("new", "Write a project of your own: controller, scenario, test; see " +
+                                    runtime::page("your_own_agent.md"));
   new_project->add_option("name", new_command.name, "Name of the project and its folder: lower_snake_case")
       ->required();
   ReportCommand report_command;

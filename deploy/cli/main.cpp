@@ -176,6 +176,9 @@ int main(int argc, char** argv) {
   } catch (const runtime::StartError& error) {
     std::fprintf(stderr, "%s\n", pure::one_line(error.what()).c_str());
     return runtime::kCouldNotStart;
+  } catch (const deploy::Interrupted&) {
+    std::fprintf(stderr, "caravan: stopped while it tried the controllers; nothing has started\n");
+    return runtime::kInterrupted;
   } catch (const runtime::WriteError& error) {
     std::fprintf(stderr, "%s\n", pure::one_line(error.what()).c_str());
     return runtime::kFailed;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "deploy/control/words.hpp"
 #include "deploy/kit/actions.hpp"
 #include "deploy/kit/effective_scenario.hpp"
 #include "runtime/config/toml_table.hpp"
@@ -61,7 +62,7 @@ std::optional<Condition> read_condition(runtime::TomlTable& table, const char* k
 std::optional<std::uint64_t> read_hold(runtime::TomlTable& table, const Setting& setting) {
   if (table.has("at_step") && table.has("at_s")) table.fail("at_s", "a step has at_step or at_s, not both");
   std::uint32_t step = 0;
-  table.read("at_step", step, {1, 4294967295.0});
+  table.read("at_step", step, {1, double{kHighestStep}});
   double time_s = 0.0;
   table.read("at_s", time_s, runtime::kTime_s);
   if (table.has("at_step")) return step;

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <regex>
 
 namespace caravan::deploy {
 namespace {
@@ -50,6 +52,32 @@ TEST(CommandLine, ANewProjectHasOneName) {
   EXPECT_EQ(std::get<NewCommand>(read({"new", "my_swarm"})).name, "my_swarm");
   EXPECT_THAT(complaint({"new"}), testing::HasSubstr("name"));
   EXPECT_THAT(complaint({"new", "a", "b"}), testing::HasSubstr("b"));
+}
+
+TEST(CommandLine, NamesPagesThatAreThereInItsHelp) {
+  for (const char* command : {"run", "sweep", "ctl", "deploy", "doctor"}) {
+    CaptureStdout();
+    (void)read({command, "--help"});
+    const std::string help = GetCapturedStdout();
+    const std::regex page{"/\\S+\\.md"};
+    const std::sregex_iterator first{help.begin(), help.end(), page};
+    EXPECT_NE(first, std::sregex_iterator{}) << command;
+    for (auto found = first; found != std::sregex_iterator{}; ++found)
+      EXPECT_TRUE(std::filesystem::is_regular_file(found->str())) << found->str();
+  }
+}
+
+TEST(CommandLine, NamesAnUnknownCommandAndTheHelpOfTheCommandThatIsWrong) {
+  EXPECT_EQ(complaint({"bogus"}), "caravan: there is no command \"bogus\" (see caravan --help)\n");
+  EXPECT_EQ(complaint({"bogus", "small.toml", "--quiet"}),
+            "caravan: there is no command \"bogus\" (see caravan --help)\n");
+  EXPECT_EQ(complaint({"--bogus"}), "caravan: there is no option \"--bogus\" (see caravan --help)\n");
+  EXPECT_THAT(complaint({}), testing::EndsWith("(see caravan --help)\n"));
+  for (const char* command : {"run", "sweep", "step-agent", "ctl", "deploy", "doctor", "check"}) {
+    const std::string said = complaint({command, "--bogus"});
+    EXPECT_THAT(said, testing::StartsWith("caravan " + std::string{command} + ": "));
+    EXPECT_THAT(said, testing::EndsWith("(see caravan " + std::string{command} + " --help)\n"));
+  }
 }
 
 TEST(CommandLine, AReportTakesAnyNumberOfFoldersAndAtLeastOne) {
