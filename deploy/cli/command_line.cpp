@@ -33,6 +33,12 @@ void add_changes(CLI::App& app, Overrides& overrides) {
       ->check(CLI::IsMember({"fast", "realtime", "free"}));
 }
 
+void add_set(CLI::App& app, std::vector<std::string>& sets,
+             const std::string& meaning =
+                 "Another value for a key of the scenario, such as radio.range_m=4; repeatable") {
+  app.add_option("--set", sets, meaning)->allow_extra_args(false)->type_name("KEY=VALUE");
+}
+
 void add_engine(CLI::App& app, std::string& engine) {
   app.add_option("--engine", engine, "dds: separate processes; embedded: all in one process")
       ->check(CLI::IsMember({"dds", "embedded"}))
@@ -58,6 +64,7 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
   run.add_option("--seed", command.overrides.seed, "Seed of all random numbers")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{std::numeric_limits<std::int64_t>::max()}));
   add_changes(run, command.overrides);
+  add_set(run, command.sets);
   run.add_option("--domain", command.domain, "DDS domain; default: a free one")->check(CLI::Range(0U, 232U));
   add_transport(run, command.transport);
   run.add_option("--agent", command.agent,
@@ -89,10 +96,18 @@ void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
       ->required()
       ->check(complaint_about_name);
   sweep.add_option("--seeds", command.seeds, "Seeds, as in 1-30 or 1,4,7-9")->capture_default_str();
-  sweep.add_option("--modes", command.modes, "Modes of communication, comma-separated")
-      ->capture_default_str();
+  sweep.add_option(
+      "--modes", command.modes,
+      "Modes of communication, comma-separated; default: none,partial,full; with --set or --plan the "
+      "scenario's");
   add_engine(sweep, command.engine);
   add_changes(sweep, command.overrides);
+  add_set(sweep, command.sets,
+          "Values for a key of the scenario, such as radio.range_m=2,4; repeatable, and then every "
+          "combination is "
+          "run (see docs/sweeps.md)");
+  sweep.add_option("--plan", command.plan, "File of a larger plan (TOML, see docs/sweeps.md)")
+      ->check(complaint_about_name);
   command.jobs = std::max(1U, std::thread::hardware_concurrency());
   sweep.add_option("--jobs", command.jobs, "Number of parallel runs; default: one per processor")
       ->check(CLI::Range(std::size_t{1}, std::size_t{4096}));
@@ -138,6 +153,7 @@ void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
       ->check(complaint_about_name);
   deploy.add_option("--controller", command.controller, "What drives the robots: paper, or a shared library")
       ->check(complaint_about_name);
+  add_set(deploy, command.sets);
   deploy.add_option("--domain", command.domain, "DDS domain; default: a free one")
       ->check(CLI::Range(0U, 232U));
   add_transport(deploy, command.transport);
@@ -200,6 +216,7 @@ Command read_command_line(int argc, const char* const* argv) {
   check->add_option("scenario", check_command.scenario, "Scenario file (TOML)")
       ->required()
       ->check(complaint_about_name);
+  add_set(*check, check_command.sets);
   NewCommand new_command;
   CLI::App* new_project =
       app.add_subcommand("new", "Write a project of your own: controller, scenario, test; see " +

@@ -13,6 +13,7 @@
 #include "deploy/control/run_ctl.hpp"
 #include "deploy/doctor/run_doctor.hpp"
 #include "deploy/kit/run_script.hpp"
+#include "deploy/kit/script.hpp"
 #include "deploy/launcher/run_dds.hpp"
 #include "experiment/embedded/run_embedded.hpp"
 #include "experiment/metrics/run_directory.hpp"
@@ -33,7 +34,8 @@ namespace {
 using namespace caravan;
 
 int check(const deploy::CheckCommand& command) {
-  (void)deploy::check_scenario(runtime::TomlDocument::load(command.scenario));
+  (void)deploy::check_scenario(
+      runtime::TomlDocument::load(command.scenario, deploy::read_settings(command.sets, {})));
   std::printf("%s: good\n", command.scenario.c_str());
   return runtime::kDone;
 }
@@ -66,7 +68,8 @@ std::filesystem::path agent_program(const deploy::RunCommand& command) {
 
 int run(const deploy::RunCommand& command) {
   runtime::Loop loop;
-  const auto original = runtime::TomlDocument::load(command.scenario);
+  const auto original =
+      runtime::TomlDocument::load(command.scenario, deploy::read_settings(command.sets, command.overrides));
   (void)deploy::check_tables(
       original, deploy::controller_of(
                     original, command.overrides));  // first, because only the original has the line numbers
@@ -151,10 +154,19 @@ int obey(const deploy::DoctorCommand& command) {
 }
 int obey(const deploy::DeployCommand& command) {
   runtime::Loop loop;
+  deploy::Overrides overrides;
+  if (!command.controller.empty()) overrides.controller = command.controller;
+  const runtime::Settings settings = deploy::read_settings(command.sets, overrides);
+  const std::string controller = deploy::absolute_controller(command.controller);
+  if (!settings.empty()) {
+    const auto scenario = deploy::scenario_of(deploy::load_script(command.script, settings), controller);
+    (void)deploy::check_tables(scenario, deploy::controller_of(scenario, {}));
+  }
   return deploy::run_script({.script = command.script,
                              .out = command.out,
                              .junit = command.junit,
-                             .controller = deploy::absolute_controller(command.controller),
+                             .controller = controller,
+                             .settings = settings,
                              .domain = command.domain,
                              .transport = command.transport,
                              .check_only = command.check_only,

@@ -24,9 +24,7 @@ struct Setting {
 };
 
 Setting setting_of(const Script& script) {
-  const auto text = with_changes(script.scenario, script.changes);
-  const auto scenario =
-      runtime::TomlDocument::parse(text, script.scenario.string() + " with the script's changes");
+  const auto scenario = scenario_of(script);
   Setting setting{runtime::read_robots(scenario).count, 0.032};
   scenario.table("world").read("step_s", setting.step_s, {0.001, 1.0});
   return setting;
@@ -95,10 +93,17 @@ ScriptStep read_step(runtime::TomlTable table, std::size_t number, const Setting
 
 }  // namespace
 
-Script load_script(const std::filesystem::path& file) {
+runtime::TomlDocument scenario_of(const Script& script, const std::string& controller) {
+  return runtime::TomlDocument::parse(with_changes(script.scenario, script.changes, controller),
+                                      script.scenario.string() + " with the script's changes",
+                                      script.settings);
+}
+
+Script load_script(const std::filesystem::path& file, const runtime::Settings& settings) {
   const toml::table tree = runtime::parse_toml(runtime::read_toml_file(file, "script"), file.string());
   runtime::TomlTable root{file.string(), "", &tree};
   Script script;
+  script.settings = settings;
   script.name = file.stem().string();
   root.read("name", script.name);
   std::string scenario;

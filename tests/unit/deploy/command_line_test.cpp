@@ -130,6 +130,20 @@ TEST(CommandLine, TakesEveryOptionOfARun) {
   EXPECT_TRUE(run.trace);
 }
 
+TEST(CommandLine, TakesAnyNumberOfSettingsOneAtATime) {
+  using testing::ElementsAre;
+  const auto run = read({"run", "--set", "radio.range_m=[1,2]", "--set", "a.b=x", "small.toml"});
+  EXPECT_THAT(std::get<RunCommand>(run).sets, ElementsAre("radio.range_m=[1,2]", "a.b=x"));
+  EXPECT_EQ(std::get<RunCommand>(run).scenario, "small.toml");
+  EXPECT_THAT(std::get<CheckCommand>(read({"check", "a.toml", "--set", "a.b=1"})).sets, ElementsAre("a.b=1"));
+  EXPECT_THAT(std::get<DeployCommand>(read({"deploy", "a.toml", "--set=a.b=1"})).sets, ElementsAre("a.b=1"));
+  const auto sweep = read({"sweep", "a.toml", "--set", "a.b=1,2", "--plan", "plan.toml", "--out", "x"});
+  EXPECT_THAT(std::get<SweepCommand>(sweep).sets, ElementsAre("a.b=1,2"));
+  EXPECT_EQ(std::get<SweepCommand>(sweep).plan, "plan.toml");
+  EXPECT_EQ(std::get<SweepCommand>(sweep).modes, std::nullopt);
+  EXPECT_THAT(complaint({"run", "a.toml", "--set"}), testing::HasSubstr("--set"));
+}
+
 TEST(CommandLine, TakesEveryOptionOfASweep) {
   const auto command =
       read({"sweep",   "a.toml", "--seeds",      "1-30", "--modes",        "none,full", "--jobs",   "3",
