@@ -81,6 +81,17 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
   run.add_flag("--report", command.report, "Draw the report of the run when it has ended");
 }
 
+void add_rerun_options(CLI::App& rerun, RerunCommand& command) {
+  rerun.add_option("run", command.run, "Folder of a run")->required()->check(complaint_about_name);
+  rerun.add_option("--engine", command.engine, "dds or embedded; default: that of the run")
+      ->check(CLI::IsMember({"dds", "embedded"}));
+  rerun
+      .add_option("--out", command.out,
+                  "Folder for the results; must be new or empty; default: a new one in the run's folder")
+      ->check(complaint_about_name);
+  rerun.add_flag("--quiet", command.quiet, "No progress, no result table");
+}
+
 void add_report_options(CLI::App& report, ReportCommand& command) {
   report
       .add_option("folders", command.folders,
@@ -197,6 +208,10 @@ Command read_command_line(int argc, const char* const* argv) {
   std::string engine = "dds";
   CLI::App* run = app.add_subcommand("run", "Run a scenario and report its result");
   add_run_options(*run, run_command, engine);
+  RerunCommand rerun_command;
+  CLI::App* rerun =
+      app.add_subcommand("rerun", "Repeat a run from its folder; say whether it came out equal");
+  add_rerun_options(*rerun, rerun_command);
   DiffCommand diff_command;
   CLI::App* diff = app.add_subcommand("diff", "Name the first difference between two runs with --trace");
   diff->add_option("one", diff_command.one, "Folder of a run")->required()->check(complaint_about_name);
@@ -247,8 +262,11 @@ Command read_command_line(int argc, const char* const* argv) {
     return explain(app, error);
   }
   run_command.embedded = engine == "embedded";
+  run_command.command_line.assign(argv, argv + argc);
+  rerun_command.command_line = run_command.command_line;
   if (check->parsed()) return check_command;
   if (new_project->parsed()) return new_command;
+  if (rerun->parsed()) return rerun_command;
   if (diff->parsed()) return diff_command;
   if (step_agent->parsed()) return step_agent_command;
   if (sweep->parsed()) return sweep_command;

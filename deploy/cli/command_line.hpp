@@ -34,7 +34,16 @@ struct RunCommand {
   std::optional<std::filesystem::path> out;
   bool trace = false;
   bool quiet = false;
-  bool report = false;  ///< draws a report at the end
+  bool report = false;                         ///< draws a report at the end
+  std::vector<std::string> command_line = {};  ///< all words, for the record
+};
+
+struct RerunCommand {
+  std::filesystem::path run;
+  std::optional<std::string> engine;  ///< none: that of the run
+  std::optional<std::filesystem::path> out;
+  bool quiet = false;
+  std::vector<std::string> command_line = {};  ///< all words, for the record
 };
 
 struct ReportCommand {
@@ -102,8 +111,9 @@ struct Exit {
   int code = 0;
 };
 
-using Command = std::variant<CheckCommand, NewCommand, RunCommand, DiffCommand, StepAgentCommand,
-                             SweepCommand, ReportCommand, CtlCommand, DeployCommand, DoctorCommand, Exit>;
+using Command =
+    std::variant<CheckCommand, NewCommand, RunCommand, RerunCommand, DiffCommand, StepAgentCommand,
+                 SweepCommand, ReportCommand, CtlCommand, DeployCommand, DoctorCommand, Exit>;
 
 /// Reads the command line of `caravan`. An error is one line on standard error and exit code 2.
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);

@@ -9,6 +9,8 @@
 #include "deploy/cli/command_line.hpp"
 #include "deploy/cli/new_project.hpp"
 #include "deploy/cli/plan_sweep.hpp"
+#include "deploy/cli/rerun.hpp"
+#include "deploy/cli/run_provenance.hpp"
 #include "deploy/cli/try_controllers.hpp"
 #include "deploy/control/run_ctl.hpp"
 #include "deploy/doctor/run_doctor.hpp"
@@ -16,6 +18,7 @@
 #include "deploy/kit/script.hpp"
 #include "deploy/launcher/run_dds.hpp"
 #include "experiment/embedded/run_embedded.hpp"
+#include "experiment/metrics/provenance_json.hpp"
 #include "experiment/metrics/run_directory.hpp"
 #include "experiment/report/write_report.hpp"
 #include "experiment/sweep/run_sweep.hpp"
@@ -80,6 +83,7 @@ int run(const deploy::RunCommand& command) {
   facts.engine = command.embedded ? "embedded" : "dds";
   const std::filesystem::path agent = agent_program(command);
   if (!agent.empty()) facts.controller = agent.filename();
+  facts.provenance = deploy::provenance_of(command, effective, text, agent);
   std::optional<runtime::DomainLock>
       lock;  // before the folder: if the domain is taken, nothing is left behind
   if (!command.embedded) lock.emplace(command.domain);
@@ -89,6 +93,7 @@ int run(const deploy::RunCommand& command) {
   if (command.trace) {
     trace = folder / "trace";
     std::filesystem::create_directory(*trace);
+    write_first_file(*trace / "provenance.json", experiment::record_header(facts.provenance, text));
   }
   const experiment::RunRequest request{.facts = facts,
                                        .scenario = effective,
@@ -104,6 +109,14 @@ int run(const deploy::RunCommand& command) {
   const int code = command.embedded ? experiment::run_embedded(request) : deploy::run_dds(request);
   if (command.report && code != runtime::kInterrupted) (void)experiment::write_report({folder}, std::nullopt);
   return code;
+}
+
+int rerun(const deploy::RerunCommand& command) {
+  const deploy::Rerun plan = deploy::plan_rerun(command);
+  const int code = run(plan.run);
+  // A run whose time is up ends with kFailed, and has a result.
+  if (code != runtime::kDone && code != runtime::kFailed) return code;
+  return deploy::judge_rerun(plan, stdout);
 }
 
 int sweep(const deploy::SweepCommand& command) {
@@ -127,6 +140,7 @@ int obey(const deploy::Exit& exit) { return exit.code; }
 int obey(const deploy::CheckCommand& command) { return check(command); }
 int obey(const deploy::NewCommand& command) { return write_new(command); }
 int obey(const deploy::RunCommand& command) { return run(command); }
+int obey(const deploy::RerunCommand& command) { return rerun(command); }
 int obey(const deploy::DiffCommand& command) {
   return experiment::diff_runs(command.one, command.other, stdout);
 }

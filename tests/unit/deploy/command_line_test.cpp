@@ -48,6 +48,29 @@ TEST(CommandLine, ARunWithoutOptionsChangesNothingAndUsesDds) {
   EXPECT_EQ(run.agents_per_process, 1U);
 }
 
+TEST(CommandLine, ARunKeepsItsWordsForTheRecord) {
+  const auto command = read({"run", "small.toml", "--seed", "2"});
+
+  EXPECT_THAT(std::get<RunCommand>(command).command_line,
+              testing::ElementsAre("caravan", "run", "small.toml", "--seed", "2"));
+}
+
+TEST(CommandLine, ARerunTakesTheFolderOfARun) {
+  const auto plain = read({"rerun", "runs/a"});
+  const auto full = read({"rerun", "runs/a", "--engine", "embedded", "--out", "/tmp/x", "--quiet"});
+
+  EXPECT_EQ(std::get<RerunCommand>(plain).run, "runs/a");
+  EXPECT_EQ(std::get<RerunCommand>(plain).engine, std::nullopt);
+  EXPECT_EQ(std::get<RerunCommand>(plain).out, std::nullopt);
+  EXPECT_FALSE(std::get<RerunCommand>(plain).quiet);
+  EXPECT_EQ(std::get<RerunCommand>(full).engine, "embedded");
+  EXPECT_EQ(std::get<RerunCommand>(full).out, "/tmp/x");
+  EXPECT_TRUE(std::get<RerunCommand>(full).quiet);
+  EXPECT_EQ(std::get<RerunCommand>(full).command_line.size(), 7U);
+  EXPECT_THAT(complaint({"rerun"}), testing::HasSubstr("run"));
+  EXPECT_THAT(complaint({"rerun", "a", "--engine", "gazebo"}), testing::HasSubstr("gazebo"));
+}
+
 TEST(CommandLine, ANewProjectHasOneName) {
   EXPECT_EQ(std::get<NewCommand>(read({"new", "my_swarm"})).name, "my_swarm");
   EXPECT_THAT(complaint({"new"}), testing::HasSubstr("name"));
@@ -97,6 +120,8 @@ TEST(CommandLine, RefusesNamesOfFilesAndFoldersThatAreEmpty) {
                                              {"check", ""},
                                              {"report", ""},
                                              {"report", "a", "--out", ""},
+                                             {"rerun", ""},
+                                             {"rerun", "a", "--out", ""},
                                              {"diff", "a", ""},
                                              {"step-agent", "", "--robot", "1"},
                                              {"deploy", ""},
