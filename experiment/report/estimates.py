@@ -47,9 +47,9 @@ def kaplan_meier_half(times: np.ndarray, known: np.ndarray, beyond: float) -> tu
     return first(running <= 0.5 + CLOSE), first(running < 0.5 - CLOSE)
 
 
-def bca_interval(data: tuple[np.ndarray, ...], statistic: Callable[..., np.ndarray]) -> tuple[float, float]:
-    """Bias-corrected and accelerated bootstrap interval. Where it is not defined, because leaving out any one number changes
-    nothing, the percentile interval of the same resamples.
+def bootstrap_interval(data: tuple[np.ndarray, ...], statistic: Callable[..., np.ndarray], censored: bool) -> tuple[float, float]:
+    """Bias-corrected and accelerated; the percentile interval of the same resamples where the corrections are not defined: with
+    censored numbers, whose rank is known but not their place, and where leaving out any one number changes nothing.
 
     @param data  equally long; element i of all of them is one observation"""
     if all(np.all(each == each[0]) for each in data):
@@ -57,8 +57,8 @@ def bca_interval(data: tuple[np.ndarray, ...], statistic: Callable[..., np.ndarr
         return only, only
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the case that is treated below
-        result = stats.bootstrap(data, statistic, paired=True, vectorized=True, n_resamples=RESAMPLES, method="BCa",
-                                 confidence_level=CONFIDENCE, random_state=np.random.default_rng(SEED))
+        result = stats.bootstrap(data, statistic, paired=True, vectorized=True, n_resamples=RESAMPLES, confidence_level=CONFIDENCE,
+                                 method="percentile" if censored else "BCa", random_state=np.random.default_rng(SEED))
     low, high = (float(end) for end in result.confidence_interval)
     if math.isnan(low) or math.isnan(high):
         tail = (1 - CONFIDENCE) / 2
@@ -95,7 +95,7 @@ def median(values: Sequence[Value]) -> Estimate:
         number, relation = min(largest, reached), ">"
     if len(values) < FEWEST:
         return Estimate(name, number, relation)
-    low, high = bca_interval(data, of)
+    low, high = bootstrap_interval(data, of, censored=not np.all(known))
     return Estimate(name, number, relation, min(low, largest), math.inf if high > highest_known else high)
 
 

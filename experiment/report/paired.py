@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import stats
 
-from estimates import FEWEST, NOTHING, Estimate, bca_interval, plain_median
+from estimates import FEWEST, NOTHING, Estimate, bootstrap_interval, plain_median
 from sweep_runs import Value
 
 DECIMALS = 9  # differences are rounded, so that equal ones are equal
@@ -113,7 +113,7 @@ def median_difference(differences: Sequence[Difference]) -> Estimate:
         number, relation = float(np.median([each.most for each in differences])), "<"
     if len(differences) < FEWEST:
         return Estimate("median", number, relation)
-    low, high = bca_interval((stand_in,), plain_median)
+    low, high = bootstrap_interval((stand_in,), plain_median, censored=len(finite) < len(scores))
     return Estimate("median", number, relation, *(_unbounded(end, least, most) for end in (low, high)))
 
 
