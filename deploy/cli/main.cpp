@@ -21,6 +21,7 @@
 #include "experiment/metrics/provenance_json.hpp"
 #include "experiment/metrics/run_directory.hpp"
 #include "experiment/report/write_report.hpp"
+#include "experiment/report/write_statistics.hpp"
 #include "experiment/sweep/run_sweep.hpp"
 #include "experiment/trace/diff_runs.hpp"
 #include "experiment/trace/step_agent.hpp"
@@ -126,14 +127,21 @@ int sweep(const deploy::SweepCommand& command) {
     std::printf("%zu\n", plan.runs.size());
     return runtime::kDone;
   }
-  return experiment::run_sweep({.plan = std::move(plan),
-                                .folder = std::filesystem::absolute(command.out),
-                                .jobs = command.jobs,
-                                .task = command.task,
-                                .summarise = command.summarise,
-                                .retry_failed = command.retry_failed,
-                                .quiet = command.quiet,
-                                .loop = loop});
+  const std::filesystem::path folder = std::filesystem::absolute(command.out);
+  const int code = experiment::run_sweep({.plan = std::move(plan),
+                                          .folder = folder,
+                                          .jobs = command.jobs,
+                                          .task = command.task,
+                                          .summarise = command.summarise,
+                                          .retry_failed = command.retry_failed,
+                                          .quiet = command.quiet,
+                                          .loop = loop});
+  if (command.task) return code;
+  if (code == runtime::kInterrupted) {
+    experiment::remove_comparisons(folder);
+    return code;
+  }
+  return experiment::write_statistics(folder, command.quiet, loop) ? runtime::kInterrupted : code;
 }
 
 int obey(const deploy::Exit& exit) { return exit.code; }
