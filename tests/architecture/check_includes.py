@@ -63,7 +63,7 @@ ALLOWED = {
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
     "deploy/controllers": [STD, CONTROLLER],
     "deploy/doctor": [STD, POSIX, "runtime"],
-    "deploy/cli": [STD, POSIX, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/host", "runtime/bus/transport.hpp", "deploy",
+    "deploy/cli": [STD, POSIX, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/controller", "runtime/host", "runtime/bus/transport.hpp", "deploy",
                    "experiment", "robot_agent/config", "robot_agent/controller", "robot_agent/core", "world_server", "radio_emulator/config",
                    "radio_emulator/medium", "hardware_bridge/config"],
 }
