@@ -201,12 +201,8 @@ int obey(const deploy::DeployCommand& command) {
 int main(int argc, char** argv) {
   runtime::prepare_streams();
   try {
-    const int code =
-        std::visit([](const auto& command) { return obey(command); }, deploy::read_command_line(argc, argv));
-    const std::string why = runtime::failure_of_output();
-    if (why.empty()) return code;
-    std::fprintf(stderr, "%s\n", why.c_str());
-    return code == runtime::kDone ? runtime::kFailed : code;
+    return runtime::with_output_written(
+        std::visit([](const auto& command) { return obey(command); }, deploy::read_command_line(argc, argv)));
   } catch (const runtime::StartError& error) {
     std::fprintf(stderr, "%s\n", pure::one_line(error.what()).c_str());
     return runtime::kCouldNotStart;

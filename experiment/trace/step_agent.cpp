@@ -83,11 +83,10 @@ class Candidate {
 
  private:
   [[noreturn]] void give_up(std::uint64_t call, runtime::CallWatch::Reason reason) const {
-    const bool is_stop = reason == runtime::CallWatch::Reason::kStop;
     std::fprintf(stderr, "controller %s, robot %u, step %llu: %s\n", name().c_str(),
                  unsigned{config_.id.value}, static_cast<unsigned long long>(call / 2 + 1),
                  to_text(reason).c_str());
-    std::_Exit(is_stop ? runtime::kDone : runtime::kCouldNotStart);
+    std::_Exit(runtime::kCouldNotStart);
   }
 
   agent::Controllers controllers_;

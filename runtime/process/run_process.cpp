@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 #include "runtime/config/start_error.hpp"
@@ -26,6 +27,13 @@ void set_up_logging(const std::string& name, const std::string& level) {
 }
 
 }  // namespace
+
+int with_output_written(int code) {
+  const std::string why = failure_of_output();
+  if (why.empty()) return code;
+  std::fprintf(stderr, "%s\n", why.c_str());
+  return code == kDone ? kFailed : code;
+}
 
 int run_process(const Program& program, int argc, char** argv,
                 const std::function<int(const Start&, Loop&)>& body) {
@@ -52,13 +60,15 @@ int run_process(const Program& program, int argc, char** argv,
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kCouldNotStart;
+    return with_output_written(app.exit(error) == 0 ? kDone : kCouldNotStart);
   }
   start.transport = transport_named(transport);
   try {
     Loop loop;
     set_up_logging(program.name, level);
-    return body(start, loop);
+    const int code = body(start, loop);
+    if (start.check_only && code == kDone) std::printf("%s: good\n", start.scenario.c_str());
+    return with_output_written(code);
   } catch (const BeginAnew& anew) {
     spdlog::warn("{}: restarting", anew.reason);
     execv("/proc/self/exe", argv);

@@ -52,10 +52,14 @@ struct BeginAnew {
   std::string reason;
 };
 
+/// Call this last in every main: what was printed is a result, too. Prints why not all of it was written.
+/// @return `code`, or kFailed in place of kDone when it was not
+[[nodiscard]] int with_output_written(int code);
+
 /// The shell of every main: command line, logging to standard error, signals, exit codes.
 ///
 /// A StartError becomes one line and exit code 2, a WriteError or any other exception one line and exit
-/// code 1.
+/// code 1. With --check-config it prints `FILE: good` when the body has found nothing wrong.
 int run_process(const Program& program, int argc, char** argv,
                 const std::function<int(const Start&, Loop&)>& body);
 

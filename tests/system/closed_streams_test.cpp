@@ -57,17 +57,19 @@ class FullOutput : public ::testing::TestWithParam<const char*> {};
 TEST_P(FullOutput, IsAnErrorWithOneLine) {
   const ScratchFolder folder;
   const std::string line =
-      "cd " + folder.path().string() + " && " + CARAVAN_BIN_DIR + "/caravan " + GetParam() + " > /dev/full";
+      "cd " + folder.path().string() + " && " + CARAVAN_BIN_DIR + "/" + GetParam() + " > /dev/full";
   deploy::Process shell{{"/bin/sh", "-c", line}, folder / "shell.log"};
   EXPECT_EQ(shell.wait(kPatience), 1) << shell.output();
   EXPECT_THAT(shell.output(), HasSubstr("standard output: not all that was printed could be written"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Command, FullOutput,
-                         ::testing::Values("run " CARAVAN_SOURCE_DIR
+                         ::testing::Values("caravan run " CARAVAN_SOURCE_DIR
                                            "/deploy/scenarios/small.toml --engine embedded --out out",
-                                           "check " CARAVAN_SOURCE_DIR "/deploy/scenarios/small.toml",
-                                           "--help"),
+                                           "caravan check " CARAVAN_SOURCE_DIR "/deploy/scenarios/small.toml",
+                                           "caravan --help", "world_server --help", "robot_agent --version",
+                                           "radio_emulator --check-config --scenario " CARAVAN_SOURCE_DIR
+                                           "/deploy/scenarios/small.toml"),
                          [](const auto& one) { return "Number" + std::to_string(one.index); });
 
 INSTANTIATE_TEST_SUITE_P(Engine, ClosedStreams, ::testing::Values("embedded", "dds"),

@@ -52,6 +52,23 @@ class BadScenario : public testing::Test {
   fs::path scenario_ = folder_ / "bad.toml";
 };
 
+TEST(CheckConfig, SaysThatTheScenarioIsGoodAndStartsNothing) {
+  const test::ScratchFolder folder;
+  const std::vector<std::vector<std::string>> programs = {
+      {"world_server"}, {"radio_emulator"}, {"robot_agent", "--robots", "1-4"}};
+  for (std::vector<std::string> words : programs) {
+    words.insert(words.end(), {"--check-config", "--scenario", kSmall});
+    Process process{words, folder / "log"};
+    EXPECT_EQ(process.wait(test::kPatience), 0);
+    EXPECT_EQ(process.output(), kSmall.string() + ": good\n");
+    words.back() = folder / "bad.toml";
+    test::write_file(words.back(), "[robots]\ncolour = 3\n");
+    Process refused{words, folder / "log"};
+    EXPECT_EQ(refused.wait(test::kPatience), 2);
+    EXPECT_THAT(refused.output(), testing::Not(testing::HasSubstr("good")));
+  }
+}
+
 TEST_F(BadScenario, AMissingFileIsNamed) {
   EXPECT_THAT(refusal("nowhere.toml"), testing::HasSubstr("nowhere.toml: no such"));
 }

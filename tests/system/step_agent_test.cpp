@@ -158,6 +158,16 @@ TEST_F(StepAgent, EndsWithCodeTwoAndOneLineWhenTheControllerFails) {
   }
 }
 
+TEST_F(StepAgent, IsInterruptedAtOnceWhileAStepDoesNotReturn) {
+  const fs::path traced = run_embedded(scenario("small.toml"));
+  const fs::path faulty = scenario_with("at_step = 1\nfault = \"hangs\"\nlibrary = \"" + kFaulty + "\"\n");
+  Process process{{"caravan", "step-agent", traced, "--robot", "2", "--scenario", faulty}, folder_ / "log"};
+  ASSERT_TRUE(process.prints("faulty hangs", kPatience)) << process.output();
+  process.signal(SIGINT);
+  EXPECT_EQ(process.wait(kPatience), 130) << process.output();
+  EXPECT_EQ(process.output(), "faulty hangs\n");
+}
+
 TEST_F(StepAgent, NamesWhatIsMissingOrDamaged) {
   const fs::path bare = run(scenario("small.toml"), {"--engine", "embedded", "--max-time", "1"});
   const fs::path traced = run_embedded(scenario("small.toml"));

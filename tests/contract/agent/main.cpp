@@ -6,10 +6,13 @@
 #include <CLI/CLI.hpp>
 
 #include "runtime/process/data_folder.hpp"
+#include "runtime/process/run_process.hpp"
+#include "runtime/process/streams.hpp"
 #include "tests/contract/agent/played_run.hpp"
 
 int main(int argc, char** argv) {
   using namespace caravan;
+  runtime::prepare_streams();
   testing::InitGoogleTest(&argc, argv);  // takes its own options out
   test::Subject& subject = test::subject();
   subject.program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "robot_agent";
@@ -29,11 +32,11 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return runtime::with_output_written(app.exit(error) == 0 ? 0 : 2);
   }
   subject.program = std::filesystem::absolute(subject.program);
   if (!subject.scenario.empty()) subject.scenario = std::filesystem::absolute(subject.scenario);
   subject.transport = runtime::transport_named(transport);
   subject.patience = std::chrono::milliseconds{static_cast<std::int64_t>(1000.0 * patience_s)};
-  return RUN_ALL_TESTS();
+  return runtime::with_output_written(RUN_ALL_TESTS());
 }
