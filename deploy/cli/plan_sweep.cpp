@@ -42,6 +42,8 @@ void refuse_clashes(const Design& design, const Overrides& overrides) {
     const std::string origin = axis.place + axis.key;
     if (axis.key == "seed") throw runtime::StartError{origin + ": in a sweep, --seeds sets it"};
     if (axis.key == "algorithm.mode") throw runtime::StartError{origin + ": in a sweep, --modes sets it"};
+    if (axis.key.find('.') == std::string::npos)
+      throw runtime::StartError{origin + ": only keys of tables, such as radio.range_m, can be axes"};
     refuse_clash(axis.key, origin, overrides);
   }
 }

@@ -35,12 +35,28 @@ std::string to_text(SweepState state) {
   return "";
 }
 
-/// The values of quantity `column` in the runs of `mode` that are done.
-std::vector<double> sample(const SweepPlan& plan, std::span<const RunRow> rows, const std::string& mode,
-                           std::size_t column) {
-  std::vector<double> values;
+/// Runs that differ by their seeds only: their indices in the plan, in which they follow each other.
+struct Group {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+std::vector<Group> groups_of(const SweepPlan& plan) {
+  std::vector<Group> groups;
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
-    if (plan.runs[i].mode != mode || rows[i].state != RunState::kDone) continue;
+    const bool begins =
+        i == 0 || plan.runs[i].mode != plan.runs[i - 1].mode || plan.runs[i].point != plan.runs[i - 1].point;
+    if (begins) groups.push_back({i, i});
+    groups.back().end = i + 1;
+  }
+  return groups;
+}
+
+/// The values of quantity `column` in the runs of the group that are done.
+std::vector<double> sample(std::span<const RunRow> rows, Group group, std::size_t column) {
+  std::vector<double> values;
+  for (std::size_t i = group.begin; i < group.end; ++i) {
+    if (rows[i].state != RunState::kDone) continue;
     if (const auto value = rows[i].values[column]) values.push_back(*value);
   }
   return values;
@@ -108,15 +124,20 @@ std::string runs_csv(const SweepPlan& plan, std::span<const RunRow> rows) {
 }
 
 std::string summary_csv(const SweepPlan& plan, std::span<const RunRow> rows) {
-  std::string text =
-      csv_row({"mode", "quantity", "n", "minimum", "lower_quartile", "median", "upper_quartile", "maximum"});
-  for (const std::string& mode : plan.modes) {
+  std::vector<std::string> header = {"mode"};
+  header.insert(header.end(), plan.axes.begin(), plan.axes.end());
+  header.insert(header.end(),
+                {"quantity", "n", "minimum", "lower_quartile", "median", "upper_quartile", "maximum"});
+  std::string text = csv_row(header);
+  for (const Group group : groups_of(plan)) {
+    const PlannedRun& run = plan.runs[group.begin];
     for (std::size_t column = 0; column < quantities().size(); ++column) {
       const Metric& quantity = quantities()[column];
       if (!quantity.repeats) continue;
-      const auto five = five_numbers(sample(plan, rows, mode, column));
-      std::vector<std::string> fields = {mode, std::string{quantity.column},
-                                         std::to_string(five ? five->n : 0)};
+      const auto five = five_numbers(sample(rows, group, column));
+      std::vector<std::string> fields = {run.mode};
+      fields.insert(fields.end(), run.values.begin(), run.values.end());
+      fields.insert(fields.end(), {std::string{quantity.column}, std::to_string(five ? five->n : 0)});
       for (const auto number : {&FiveNumbers::minimum, &FiveNumbers::lower_quartile, &FiveNumbers::median,
                                 &FiveNumbers::upper_quartile, &FiveNumbers::maximum}) {
         fields.push_back(five ? exact((*five).*number) : "");
@@ -130,26 +151,31 @@ std::string summary_csv(const SweepPlan& plan, std::span<const RunRow> rows) {
 std::string sweep_table(const SweepPlan& plan, std::span<const RunRow> rows) {
   std::string text = "mode     done  completed  failed  simulated min: median (range)  round trip, min" +
                      std::string{"           routes\n"};
-  for (const std::string& mode : plan.modes) {
+  std::string point;
+  for (const Group group : groups_of(plan)) {
+    const PlannedRun& run = plan.runs[group.begin];
+    if (run.point != point) text += run.point + "\n";
+    point = run.point;
     std::size_t done = 0;
     std::size_t failed = 0;
-    for (std::size_t i = 0; i < plan.runs.size(); ++i) {
-      if (plan.runs[i].mode != mode) continue;
+    for (std::size_t i = group.begin; i < group.end; ++i) {
       done += rows[i].state == RunState::kDone ? 1U : 0U;
       failed += rows[i].state == RunState::kFailed ? 1U : 0U;
     }
     double completed = 0.0;
-    for (const double one : sample(plan, rows, mode, column_of("completed"))) completed += one;
-    text += mode + std::string(mode.size() < 7 ? 7 - mode.size() : 0, ' ') + padded(std::to_string(done), 6) +
-            padded(fixed(completed, 0), 11) + padded(std::to_string(failed), 8) +
-            padded(spread(sample(plan, rows, mode, column_of("sim_time_s")), 60.0, 1), 31) +
-            padded(spread(sample(plan, rows, mode, column_of("round_trip_mean_s")), 60.0, 2), 26) +
-            padded(spread(sample(plan, rows, mode, column_of("routes")), 1.0, 0), 17) + "\n";
+    for (const double one : sample(rows, group, column_of("completed"))) completed += one;
+    text += run.mode + std::string(run.mode.size() < 7 ? 7 - run.mode.size() : 0, ' ') +
+            padded(std::to_string(done), 6) + padded(fixed(completed, 0), 11) +
+            padded(std::to_string(failed), 8) +
+            padded(spread(sample(rows, group, column_of("sim_time_s")), 60.0, 1), 31) +
+            padded(spread(sample(rows, group, column_of("round_trip_mean_s")), 60.0, 2), 26) +
+            padded(spread(sample(rows, group, column_of("routes")), 1.0, 0), 17) + "\n";
   }
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     if (rows[i].state != RunState::kFailed) continue;
-    text += "failed: mode " + plan.runs[i].mode + " seed " + std::to_string(plan.runs[i].seed) + ": " +
-            rows[i].reason + "\n";
+    const PlannedRun& run = plan.runs[i];
+    text += "failed: " + (run.point.empty() ? "" : run.point + " ") + "mode " + run.mode + " seed " +
+            std::to_string(run.seed) + ": " + rows[i].reason + "\n";
   }
   return text;
 }

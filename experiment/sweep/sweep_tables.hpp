@@ -23,10 +23,10 @@ enum class SweepState : std::uint8_t {
 [[nodiscard]] std::string sweep_json(const SweepPlan& plan, std::span<const RunRow> rows, SweepState state);
 /// One row for each run, whatever its state.
 [[nodiscard]] std::string runs_csv(const SweepPlan& plan, std::span<const RunRow> rows);
-/// One row for each mode and quantity, over the runs that are done; wall times are left out, so the same
-/// sweep gives the same text.
+/// One row for each mode, at each point, and quantity, over the runs that are done; wall times are left out,
+/// so the same sweep gives the same text.
 [[nodiscard]] std::string summary_csv(const SweepPlan& plan, std::span<const RunRow> rows);
-/// Text for the terminal: each mode's time, round trips and routes, and the runs that failed.
+/// Text for the terminal: at each point each mode's time, round trips and routes, and the runs that failed.
 [[nodiscard]] std::string sweep_table(const SweepPlan& plan, std::span<const RunRow> rows);
 
 /// sweep.json, runs.csv and summary.csv in `folder`, each replaced atomically.

@@ -79,6 +79,7 @@ TEST(SweepPlan, NamesTheValueThatItRefuses) {
 TEST(SweepPlan, LeavesModesAndSeedsToTheirOptions) {
   EXPECT_THAT(refusal(small({"seed=1,2"})), StartsWith("--set seed: in a sweep, --seeds sets it"));
   EXPECT_THAT(refusal(small({"algorithm.mode=full"})), HasSubstr("--modes sets it"));
+  EXPECT_THAT(refusal(small({"name=a,b"})), HasSubstr("only keys of tables"));
   SweepCommand command = small({"robots.count=2"});
   command.overrides.robots = 3;
   EXPECT_THAT(refusal(command), HasSubstr("--robots sets it, too"));

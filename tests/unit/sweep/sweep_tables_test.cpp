@@ -69,6 +69,22 @@ TEST(SweepTables, SummariseEachModeAndQuantityOverTheRunsThatAreDone) {
   EXPECT_THAT(text, HasSubstr("\nfull,sim_time_s,0,,,,,\n"));
 }
 
+TEST(SweepTables, DoNotMixThePointsOfASweep) {
+  const SweepPlan grid = with_axis(plan_of({"none"}, {1, 2}));
+  std::vector<RunRow> rows(4);
+  rows[0] = done(60.0);
+  rows[2] = done(100.0);
+  rows[3] = {.state = RunState::kFailed, .reason = "killed"};
+
+  const std::string text = summary_csv(grid, rows);
+  EXPECT_THAT(text, HasSubstr("mode,radio.range_m,quantity,n,"));
+  EXPECT_THAT(text, HasSubstr("\nnone,2,sim_time_s,1,60,60,60,60,60\n"));
+  EXPECT_THAT(text, HasSubstr("\nnone,4,sim_time_s,1,100,100,100,100,100\n"));
+  const std::string table = sweep_table(grid, rows);
+  EXPECT_THAT(table, HasSubstr("\nradio.range_m=2\nnone"));
+  EXPECT_THAT(table, HasSubstr("failed: radio.range_m=4 mode none seed 2: killed\n"));
+}
+
 TEST(SweepTables, SummariseNoWallTimeSoThatTheSameSweepGivesTheSameText) {
   std::vector<RunRow> quick(6);
   std::vector<RunRow> slow(6);
