@@ -18,7 +18,6 @@
 #include "deploy/kit/script.hpp"
 #include "deploy/launcher/run_dds.hpp"
 #include "experiment/embedded/run_embedded.hpp"
-#include "experiment/metrics/provenance_json.hpp"
 #include "experiment/metrics/run_directory.hpp"
 #include "experiment/report/write_report.hpp"
 #include "experiment/report/write_statistics.hpp"
@@ -31,6 +30,7 @@
 #include "runtime/process/data_folder.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/process/streams.hpp"
+#include "runtime/provenance/provenance_json.hpp"
 #include "runtime/pure/one_line.hpp"
 
 namespace {
@@ -94,7 +94,7 @@ int run(const deploy::RunCommand& command) {
   if (command.trace) {
     trace = folder / "trace";
     std::filesystem::create_directory(*trace);
-    write_first_file(*trace / "provenance.json", experiment::record_header(facts.provenance, text));
+    write_first_file(*trace / "provenance.json", runtime::record_header(facts.provenance, text));
   }
   const experiment::RunRequest request{.facts = facts,
                                        .scenario = effective,

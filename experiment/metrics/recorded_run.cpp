@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "experiment/metrics/provenance_json.hpp"
 #include "experiment/metrics/text_file.hpp"
+#include "runtime/provenance/provenance_json.hpp"
 
 namespace caravan::experiment {
 
@@ -26,7 +26,7 @@ RecordedRun read_recorded_run(const std::filesystem::path& folder) {
             .interrupted = json.at("interrupted"),
             .disturbed = json.at("disturbed"),
             .failure = json.at("failure"),
-            .provenance = read_provenance(json.at("provenance"))};
+            .provenance = runtime::read_provenance(json.at("provenance"))};
   } catch (const nlohmann::json::exception& error) {
     throw runtime::StartError{file.string() + ": is damaged: " + error.what()};
   }

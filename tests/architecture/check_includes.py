@@ -25,7 +25,7 @@ ALLOWED = {
     "runtime/config": [STD, TOML, "runtime/pure"],
     "runtime/scenario": [STD, "runtime/config", "runtime/pure"],
     "runtime/trace": [STD, "runtime/config"],
-    "runtime/provenance": [STD, POSIX, "runtime/config", "runtime/process/version.hpp"],
+    "runtime/provenance": [STD, POSIX, JSON, "runtime/config", "runtime/process/version.hpp"],
     "runtime/process": [STD, POSIX, LOG, CLI, "runtime/config", "runtime/pure", "runtime/bus/transport.hpp"],
     "runtime/bus": [STD, POSIX, LOG, DDS, ROBOT_TYPES, "idl", "runtime/config", "runtime/pure"],
     "runtime/host": [STD, POSIX, "runtime/bus", "runtime/config"],

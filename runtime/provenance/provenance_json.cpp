@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/metrics/provenance_json.hpp"
+#include "runtime/provenance/provenance_json.hpp"
 
 #include <nlohmann/json.hpp>
 
-namespace caravan::experiment {
+namespace caravan::runtime {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json file_json(const std::optional<runtime::HashedFile>& file) {
+Json file_json(const std::optional<HashedFile>& file) {
   if (!file) return nullptr;
   return {{"file", file->file}, {"sha256", file->sha256}};
 }
 
-std::optional<runtime::HashedFile> read_file(const nlohmann::json& json) {
+std::optional<HashedFile> read_file(const nlohmann::json& json) {
   if (json.is_null()) return std::nullopt;
-  return runtime::HashedFile{.file = json.at("file"), .sha256 = json.at("sha256")};
+  return HashedFile{.file = json.at("file"), .sha256 = json.at("sha256")};
 }
 
 std::optional<bool> read_dirty(const nlohmann::json& json) {
@@ -24,9 +24,9 @@ std::optional<bool> read_dirty(const nlohmann::json& json) {
 
 }  // namespace
 
-Json provenance_json(const runtime::Provenance& provenance) {
-  const runtime::Build& build = provenance.build;
-  const runtime::Host& host = provenance.host;
+Json provenance_json(const Provenance& provenance) {
+  const Build& build = provenance.build;
+  const Host& host = provenance.host;
   return {{"version", build.version},
           {"commit", build.commit.id},
           {"dirty", build.commit.dirty ? Json(*build.commit.dirty) : Json(nullptr)},
@@ -49,7 +49,7 @@ Json provenance_json(const runtime::Provenance& provenance) {
           {"agent", file_json(provenance.agent)}};
 }
 
-runtime::Provenance read_provenance(const nlohmann::json& json) {
+Provenance read_provenance(const nlohmann::json& json) {
   const nlohmann::json& host = json.at("host");
   return {.build = {.version = json.at("version"),
                     .commit = {.id = json.at("commit"), .dirty = read_dirty(json.at("dirty"))},
@@ -71,9 +71,9 @@ runtime::Provenance read_provenance(const nlohmann::json& json) {
           .agent = read_file(json.at("agent"))};
 }
 
-std::string record_header(const runtime::Provenance& provenance, const std::string& scenario) {
+std::string record_header(const Provenance& provenance, const std::string& scenario) {
   const Json json{{"provenance", provenance_json(provenance)}, {"scenario", scenario}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace caravan::experiment
+}  // namespace caravan::runtime

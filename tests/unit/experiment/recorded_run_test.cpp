@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "experiment/metrics/provenance_json.hpp"
+#include "experiment/metrics/recorded_run.hpp"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -8,15 +8,17 @@
 #include <nlohmann/json.hpp>
 
 #include "experiment/metrics/metrics_json.hpp"
-#include "experiment/metrics/recorded_run.hpp"
 #include "experiment/metrics/run_directory.hpp"
 #include "runtime/config/start_error.hpp"
+#include "runtime/provenance/provenance_json.hpp"
 
 namespace caravan::experiment {
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+using runtime::provenance_json;
+using runtime::read_provenance;
 using testing::HasSubstr;
 
 runtime::Provenance example() {
@@ -82,7 +84,7 @@ TEST(ProvenanceJson, IsTheLastKeyOfTheMetricsAndChangesNoOther) {
 }
 
 TEST(ProvenanceJson, OfARecordComesWithTheScenario) {
-  const Json header = Json::parse(record_header(example(), "seed = 9\n"));
+  const Json header = Json::parse(runtime::record_header(example(), "seed = 9\n"));
 
   EXPECT_EQ(header.at("provenance").at("commit"), "aaaa");
   EXPECT_EQ(header.at("scenario"), "seed = 9\n");
