@@ -37,6 +37,13 @@ def find_folders(given: list[pathlib.Path]) -> tuple[list[pathlib.Path], list[Sk
     return list(dict.fromkeys(one.resolve() for one in found)), skipped
 
 
+def find_sweeps(given: list[pathlib.Path]) -> list[pathlib.Path]:
+    """The folders of sweeps: the given ones, and those directly in them."""
+    found = [one for folder in given if folder.is_dir() for one in (folder, *sorted(folder.iterdir()))
+             if (one / "runs.csv").is_file()]
+    return list(dict.fromkeys(one.resolve() for one in found))
+
+
 def _is_run(folder: pathlib.Path) -> bool:
     return any((folder / mark).exists() for mark in MARKS)
 
