@@ -39,9 +39,8 @@ def find_folders(given: list[pathlib.Path]) -> tuple[list[pathlib.Path], list[Sk
 
 def find_sweeps(given: list[pathlib.Path]) -> list[pathlib.Path]:
     """The folders of sweeps: the given ones, and those directly in them."""
-    found = [one for folder in given if folder.is_dir() for one in (folder, *sorted(folder.iterdir()))
-             if (one / "runs.csv").is_file()]
-    return list(dict.fromkeys(one.resolve() for one in found))
+    candidates = [one for folder in given for one in (folder, *sorted(file.parent for file in folder.glob("*/runs.csv")))]
+    return list(dict.fromkeys(one.resolve() for one in candidates if (one / "runs.csv").is_file()))
 
 
 def _is_run(folder: pathlib.Path) -> bool:
