@@ -35,13 +35,13 @@ def _table(heading: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
 
 def estimates_table(sweep: Sweep, summaries: list[Summary]) -> str:
     rows = [(one.quantity, setting_text(sweep, one.cell), str(one.used), str(one.censored), str(one.missing), one.estimate.statistic,
-             with_interval(one.estimate)) for quantity in SHOWN for one in summaries if one.quantity == quantity]
+             with_interval(one.estimate)) for quantity in SHOWN for one in summaries if one.quantity == quantity and one.used > 0]
     return _table(("quantity", "setting", "runs", "not finished", "no result", "estimate", "95 % interval in parentheses"), rows)
 
 
 def comparisons_table(sweep: Sweep, comparisons: list[Comparison]) -> str:
     rows = []
-    for one in (one for quantity in SHOWN for one in comparisons if one.quantity == quantity):
+    for one in (one for quantity in SHOWN for one in comparisons if one.quantity == quantity and one.pairs > 0):
         level, reference = one.contrast.names(sweep.factors)
         numbers = ["-" if number is None else f"{number:.2g}" for number in (one.result.p_value, one.p_holm)]
         effect_size = "-" if one.result.rank_biserial is None else f"{one.result.rank_biserial:+.2f}"
