@@ -37,6 +37,12 @@ def find_folders(given: list[pathlib.Path]) -> tuple[list[pathlib.Path], list[Sk
     return list(dict.fromkeys(one.resolve() for one in found)), skipped
 
 
+def find_sweeps(given: list[pathlib.Path]) -> list[pathlib.Path]:
+    """The folders of sweeps: the given ones, and those directly in them."""
+    candidates = [one for folder in given for one in (folder, *sorted(file.parent for file in folder.glob("*/runs.csv")))]
+    return list(dict.fromkeys(one.resolve() for one in candidates if (one / "runs.csv").is_file()))
+
+
 def _is_run(folder: pathlib.Path) -> bool:
     return any((folder / mark).exists() for mark in MARKS)
 

@@ -75,19 +75,23 @@ def skipped_list(skipped: list[Skipped]) -> str:
     return f'<h2 id="skipped">Skipped</h2><p class="bad">{len(skipped)} without a readable run:</p><ul>{items}</ul>'
 
 
-def page(title: str, runs: ByMode, skipped: list[Skipped], drawn: list[tuple[Picture, pathlib.Path]]) -> str:
+def drawing_text(name: str, title: str, caption: str, file: pathlib.Path) -> str:
+    return (f'<h2 id="{name}">{html.escape(title)}</h2><figure>{named_apart(inline_svg(file), name)}'
+            f"<figcaption>{html.escape(caption)} Files: figures/{name}.svg and .png</figcaption></figure>")
+
+
+def page(title: str, runs: ByMode, skipped: list[Skipped], drawn: list[tuple[Picture, pathlib.Path]],
+         statistics: str = "") -> str:
+    """@param statistics  the part about sweeps, in HTML"""
     count = sum(len(those) for those in runs.values())
     written = datetime.datetime.now().strftime("%Y-%m-%d %H:%M")
     links = "".join(f'<a href="#{picture.name}">{html.escape(picture.title)}</a>' for picture, _ in drawn)
-    figures = "".join(
-        f'<h2 id="{picture.name}">{html.escape(picture.title)}</h2>'
-        f"<figure>{named_apart(inline_svg(file), picture.name)}"
-        f"<figcaption>{html.escape(picture.caption(runs))} Files: figures/{picture.name}.svg and .png"
-        "</figcaption></figure>" for picture, file in drawn)
+    figures = "".join(drawing_text(picture.name, picture.title, picture.caption(runs), file) for picture, file in drawn)
+    links += '<a href="#statistics">Statistics</a>' if statistics else ""
     left_out = f', <a class="bad" href="#skipped">{len(skipped)} skipped</a>' if skipped else ""
     return (f'<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>{html.escape(title)}</title>'
             f'<meta name="viewport" content="width=device-width"><style>{LOOKS}</style></head><body>'
             f'<h1>{html.escape(title)}</h1><p class="note">{count} run{"s" if count != 1 else ""}{left_out}; '
             f"written by caravan report, {written}. Times are simulated.</p><nav>{links}</nav>"
-            f'<h2 id="numbers">Numbers</h2>{number_table(runs)}{figures}'
+            f'<h2 id="numbers">Numbers</h2>{number_table(runs)}{statistics}{figures}'
             f'<h2 id="runs">Runs</h2>{run_table(runs)}{skipped_list(skipped)}</body></html>\n')

@@ -21,10 +21,17 @@ import matplotlib.pyplot as plt  # noqa: E402  (after the check above)
 import figures_map  # noqa: E402
 import figures_robots  # noqa: E402
 import figures_time  # noqa: E402
-from find_runs import read_all  # noqa: E402
-from page import page  # noqa: E402
+from find_runs import Skipped, find_sweeps, read_all  # noqa: E402
+from page import drawing_text, page  # noqa: E402
 from picture import ByMode, Picture  # noqa: E402
 from quantities import by_mode  # noqa: E402
+from sweep_runs import BrokenSweep, read_sweep  # noqa: E402
+
+try:
+    import sweep_page
+except ImportError as missing:
+    sweep_page = None
+    WITHOUT_STATISTICS = f"statistics are left out: they need python3-scipy ({missing})"
 
 # In the order of the paper's figures 8 to 13, then those that it does not have.
 ORDER = ("final_paths", "final_paths_all_runs", "tracks", "items_per_robot", "robots_with_path", "items_over_time",
@@ -66,10 +73,32 @@ def write_report(given: list[pathlib.Path], out: pathlib.Path) -> int:
     shared_runs, shared_folder = runs, figures
     with concurrent.futures.ProcessPoolExecutor(max_workers=os.cpu_count()) as pool:
         files = list(pool.map(draw_by_name, [picture.name for picture in chosen]))
-    text = page(title_of(runs), runs, skipped, list(zip(chosen, files)))
+    statistics = statistics_of_sweeps(find_sweeps(given), figures, skipped)
+    text = page(title_of(runs), runs, skipped, list(zip(chosen, files)), statistics)
     (out / "report.html").write_text(text, encoding="utf-8")
     print(f"report      {(out / 'report.html').resolve()}")
     return 0
+
+
+def statistics_of_sweeps(sweeps: list[pathlib.Path], figures: pathlib.Path, skipped: list[Skipped]) -> str:
+    """The part of the page about sweeps; sweeps that cannot be read are added to `skipped`."""
+    if sweeps and sweep_page is None:
+        print(f"caravan report: {WITHOUT_STATISTICS}", file=sys.stderr)
+        skipped.extend(Skipped(folder, WITHOUT_STATISTICS) for folder in sweeps)
+        return ""
+    text = ""
+    for number, folder in enumerate(sweeps, start=1):
+        name = "statistics" if number == 1 else f"statistics_{number}"
+        try:
+            sweep = read_sweep(folder)
+        except BrokenSweep as error:
+            print(f"caravan report: statistics are left out: {error}", file=sys.stderr)
+            skipped.append(Skipped(folder, f"statistics are left out: {error}"))
+            continue
+        text += sweep_page.section(name, folder, sweep)
+        text += "".join(drawing_text(one.name, one.title, one.caption, one.file)
+                        for one in sweep_page.draw_effects(name, sweep, figures))
+    return text
 
 
 shared_runs: ByMode = {}

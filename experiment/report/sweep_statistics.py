@@ -93,14 +93,14 @@ def comparisons_csv(sweep: Sweep, comparisons: list[Comparison]) -> str:
     return csv_text(rows)
 
 
-def plain(number: float | None, relation: str = "=") -> str:
-    text = "-" if number is None else f"{round(number, 1) + 0.0:.1f}".replace("inf", "unbounded")
-    return text if relation in ("", "=") else f"{relation} {text}"
-
-
 def with_interval(estimate: Estimate) -> str:
-    number = plain(estimate.number, estimate.relation)
-    return number if estimate.low is None else f"{number} ({plain(estimate.low)} to {plain(estimate.high)})"
+    decimals = 2 if "proportion" in estimate.statistic else 1
+
+    def text(number: float | None) -> str:
+        return "-" if number is None else f"{round(number, decimals) + 0.0:.{decimals}f}".replace("inf", "unbounded")
+
+    number = " ".join(part for part in (estimate.relation.replace("=", ""), text(estimate.number)) if part)
+    return number if estimate.low is None else f"{number} ({text(estimate.low)} to {text(estimate.high)})"
 
 
 def setting_text(sweep: Sweep, cell: tuple[str, ...]) -> str:

@@ -19,6 +19,7 @@ sys.path[:0] = [str(TREE / "experiment/report"), str(TREE / "tests/support")]
 import report  # noqa: E402
 import style  # noqa: E402
 from made_runs import make_run, robot  # noqa: E402
+from made_sweeps import make_sweep, row  # noqa: E402
 from page import page  # noqa: E402
 from quantities import by_mode  # noqa: E402
 from records import read_run  # noqa: E402
@@ -148,6 +149,29 @@ class Reports(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("holds no run", said)
         self.assertFalse((self.folder / "out").exists())
+
+    def test_a_sweep_has_its_statistics_and_figures_of_its_factors(self) -> None:
+        axes = ("robots.count",)
+        sweep = make_sweep(self.folder / "sweep", [row(mode, seed, None if seed > 4 else 10.0 * seed + len(mode) + int(count), (count,))
+                                                   for mode in ("none", "full") for count in ("3", "5") for seed in range(1, 8)], axes)
+        make_run(sweep / "none/seed_1", "none", 1)
+        code, said = write(self.folder / "out", sweep)
+        self.assertEqual((code, said.count("left out")), (0, 0), said)
+        page_text = (self.folder / "out/report.html").read_text(encoding="utf-8")
+        for part in ('id="statistics"', "p (Holm) is corrected for the 4 comparisons", "none robots.count=3", 'id="main_effects"',
+                     'id="interactions"', ">47.0 (", "to unbounded)", ">0.57 ("):
+            self.assertTrue(part in page_text, part)
+        for name in ("main_effects", "interactions"):
+            picture = matplotlib.image.imread(self.folder / f"out/figures/{name}.png")
+            self.assertGreater(np.count_nonzero(np.ptp(picture[..., :3], axis=-1) > 0.15), 500)
+
+    def test_a_damaged_table_of_a_sweep_is_named_and_the_rest_is_drawn(self) -> None:
+        make_run(self.folder / "sweep/none/seed_1", "none", 1)
+        (self.folder / "sweep/runs.csv").write_text("index,mode\n")
+        code, said = write(self.folder / "out", self.folder / "sweep")
+        self.assertEqual(code, 0)
+        self.assertIn("column seed is missing", said)
+        self.assertIn("column seed is missing", (self.folder / "out/report.html").read_text(encoding="utf-8"))
 
     def test_the_same_runs_give_the_same_drawings(self) -> None:
         runs = by_mode([read_run(make_run(self.folder / "run"))])
