@@ -50,6 +50,8 @@ ALLOWED = {
     "experiment/embedded": [STD, EIGEN, CONTROLLER, *CONFIG, "runtime/process", "runtime/trace", "experiment/metrics",
                             "experiment/run_request.hpp", "robot_agent/controller", "robot_agent/core", "robot_agent/config", "runtime/controller", "world_server",
                             "radio_emulator/medium", "radio_emulator/config"],
+    "experiment/python": [STD, EIGEN, TOML, PYBIND, CONTROLLER, *CONFIG, "experiment/embedded", "experiment/metrics", "runtime/controller",
+                          "robot_agent/controller", "robot_agent/config", "robot_agent/core", "world_server", "radio_emulator/config"],
     "experiment/trace": [STD, EIGEN, JSON, CONTROLLER, *CONFIG, "runtime/trace", "runtime/process", "experiment/metrics",
                          "experiment/run_request.hpp", "robot_agent/config", "robot_agent/controller", "runtime/controller"],
     "experiment/sweep": [STD, POSIX, JSON, "runtime/config", "runtime/process", "runtime/host/children.hpp", "experiment/metrics"],
