@@ -2,8 +2,8 @@
 # The installed tree. It can be moved: programs find each other and their files by the path of the program.
 #   bin/                   the programs
 #   include/caravan/       public headers: controllers and the test kit
-#   lib/                   the test kit; caravan/controllers: the examples; caravan/python: controllers in Python; cmake/caravan: find_package(caravan)
-#   share/caravan/         scenarios, scripts, DDS profiles, units, IDL, the templates of `caravan new`, the drawing program
+#   lib/                   the test kit; caravan/controllers: the examples; caravan/python: the Python packages; cmake/caravan: find_package(caravan)
+#   share/caravan/         scenarios, scripts, DDS profiles, units, IDL, the templates of `caravan new`, examples for scripts, the drawing program
 #   share/doc/caravan/     the documentation
 # This file has what belongs to no single folder of the tree. A folder that makes something else has its own install() beside its target.
 include(CMakePackageConfigHelpers)

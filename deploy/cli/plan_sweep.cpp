@@ -7,6 +7,7 @@
 #include "deploy/cli/overrides.hpp"
 #include "experiment/sweep/modes.hpp"
 #include "runtime/config/number_list.hpp"
+#include "runtime/scenario/name.hpp"
 
 namespace caravan::deploy {
 namespace {

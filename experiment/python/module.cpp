@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// The extension module of the Python package caravan: the embedded engine.
+// The extension module of the Python package caravan: scenarios, and the embedded engine.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <atomic>
-#include <limits>
+#include <chrono>
 
 #include "experiment/python/scenario_text.hpp"
 #include "experiment/python/stepped_run.hpp"
+#include "runtime/config/toml_text.hpp"
+#include "runtime/controller/library.hpp"
 #include "world_server/physics/physics_error.hpp"
 
 namespace caravan::experiment {
@@ -19,7 +21,10 @@ namespace {
 class Use {
  public:
   explicit Use(std::atomic<bool>& taken) : taken_{taken} {
-    if (taken.exchange(true)) throw std::logic_error{"this run is being stepped: ask it afterwards"};
+    if (taken.exchange(true))
+      throw runtime::ControllerFault{
+          "this run is being stepped, by another thread or by the caller of this "
+          "controller: ask it afterwards"};
   }
   ~Use() { taken_ = false; }
   Use(const Use&) = delete;
@@ -29,24 +34,32 @@ class Use {
   std::atomic<bool>& taken_;
 };
 
+/// @param given  file of Python that makes the controllers in place of the scenario's; empty: none does
+/// @param name   of those
+agent::Controllers controllers_of(const runtime::TomlDocument& scenario, const std::string& given,
+                                  const std::string& name) {
+  if (given.empty()) return agent::Controllers{scenario};
+  runtime::LoadedController loaded = runtime::load_controller(given);
+  loaded.name = name;
+  return {scenario, std::move(loaded)};
+}
+
 class PythonRun {
  public:
-  PythonRun(const std::string& text, const std::string& file)
-      : run_{runtime::TomlDocument::parse(text, file)} {}
+  PythonRun(const runtime::TomlDocument& scenario, const std::string& given, const std::string& name)
+      : run_{scenario, controllers_of(scenario, given, name)} {}
 
-  /// At most `steps`, and as long as the time is below `until`. Python's lock is free meanwhile.
-  /// @return the steps taken
-  std::uint64_t step(std::uint64_t steps, Time until) {
+  /// At most `steps`, as long as the time is below `until` and no longer than 20 ms of wall time, but one at
+  /// least. Python's lock must be free.
+  /// @return the steps taken; 0: there is nothing left to do
+  std::uint64_t go_on(std::uint64_t steps, Time until) {
     const Use use{taken_};
-    constexpr std::uint64_t kBetweenSignals = 64;
+    const auto pause = std::chrono::steady_clock::now() + std::chrono::milliseconds{20};
     std::uint64_t done = 0;
-    while (goes_on(done, steps, until)) {
-      {
-        const py::gil_scoped_release unlocked;
-        const std::uint64_t stop = done + kBetweenSignals;
-        for (; done < stop && goes_on(done, steps, until); ++done) run_.step();
-      }
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set{};
+    while (done < steps && !run_.engine().finished() && run_.engine().now() < until) {
+      run_.step();
+      ++done;
+      if (std::chrono::steady_clock::now() >= pause) break;
     }
     return done;
   }
@@ -58,10 +71,6 @@ class PythonRun {
   }
 
  private:
-  [[nodiscard]] bool goes_on(std::uint64_t done, std::uint64_t steps, Time until) const {
-    return done < steps && !run_.engine().finished() && run_.engine().now() < until;
-  }
-
   SteppedRun run_;
   std::atomic<bool> taken_{false};
 };
@@ -84,32 +93,52 @@ py::array_t<double> tracks_of(const SteppedRun& run) {
   return py::array_t<double>{{run.tracks().size(), columns}, first};
 }
 
-py::list events_of(const SteppedRun& run) {
+/// Those from row `first` on.
+py::list events_of(const SteppedRun& run, std::size_t first) {
   py::list events;
-  for (const EventRow& row : run.events())
+  for (std::size_t i = first; i < run.events().size(); ++i) {
+    const EventRow& row = run.events()[i];
     events.append(py::make_tuple(in_seconds(row.stamp), row.robot, row.event, row.detail));
+  }
   return events;
 }
 
 }  // namespace
 
 PYBIND11_MODULE(_engine, module) {
-  py::register_exception<runtime::StartError>(module, "ScenarioError", PyExc_ValueError);
+  py::register_exception<runtime::StartError>(module, "ScenarioError", PyExc_ValueError).doc() =
+      "A scenario or its controller cannot be used: file:line: key: reason.";
   const auto& run_error =
       py::register_exception<runtime::ControllerFault>(module, "RunError", PyExc_RuntimeError);
+  run_error.doc() = "A run has failed and cannot go on.";
   py::register_exception<world::PhysicsError>(module, "PhysicsError", run_error);
-  module.def("check", &check_text, "text"_a, "file"_a);
-  module.def("changed", &changed_text, "text"_a, "file"_a, "changes"_a);
+  using Unlocked = py::call_guard<py::gil_scoped_release>;
+  module.def(
+      "read", [](const std::string& file) { return runtime::read_toml_file(file, "scenario file"); },
+      "file"_a);
+  module.def("changed", &changed_text, "text"_a, "file"_a, "changes"_a, "changed_file"_a);
+  module.def(
+      "check",
+      [](const std::string& text, const std::string& file) {
+        const RunFacts facts = [&] {
+          const py::gil_scoped_release unlocked;
+          return check_text(text, file);
+        }();
+        return py::make_tuple(facts.scenario, facts.robots, facts.items);
+      },
+      "text"_a, "file"_a);
   py::class_<PythonRun>(module, "Run")
-      .def(py::init<const std::string&, const std::string&>(), "text"_a, "file"_a)
+      .def(py::init([](const std::string& text, const std::string& file, const std::string& given,
+                       const std::string& name) {
+             return std::make_unique<PythonRun>(runtime::TomlDocument::parse(text, file), given, name);
+           }),
+           "text"_a, "file"_a, "given"_a, "name"_a, Unlocked())
       .def(
-          "step", [](PythonRun& run, std::uint64_t steps) { return run.step(steps, Time::max()); }, "steps"_a)
-      .def(
-          "run_until",
-          [](PythonRun& run, std::int64_t until_ns) {
-            return run.step(std::numeric_limits<std::uint64_t>::max(), Time{until_ns});
+          "go_on",
+          [](PythonRun& run, std::uint64_t steps, std::int64_t until_ns) {
+            return run.go_on(steps, Time{until_ns});
           },
-          "until_ns"_a)
+          "steps"_a, "until_ns"_a, Unlocked())
       .def("now_ns",
            [](PythonRun& run) { return run.look([](auto& r) { return r.engine().now().count(); }); })
       .def("finished", [](PythonRun& run) { return run.look([](auto& r) { return r.engine().finished(); }); })
@@ -119,8 +148,14 @@ PYBIND11_MODULE(_engine, module) {
            [](PythonRun& run) { return run.look([](auto& r) { return r.items_delivered(); }); })
       .def("poses", [](PythonRun& run) { return run.look(poses_of); })
       .def("tracks", [](PythonRun& run) { return run.look(tracks_of); })
-      .def("events", [](PythonRun& run) { return run.look(events_of); })
-      .def("metrics", [](PythonRun& run) { return run.look([](auto& r) { return r.metrics(); }); });
+      .def(
+          "events",
+          [](PythonRun& run, std::size_t first) {
+            return run.look([first](auto& r) { return events_of(r, first); });
+          },
+          "first"_a)
+      .def("metrics", [](PythonRun& run) { return run.look([](auto& r) { return r.metrics(); }); })
+      .def("complaint", [](PythonRun& run) { return run.look([](auto& r) { return r.complaint(); }); });
 }
 
 }  // namespace caravan::experiment

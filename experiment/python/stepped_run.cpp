@@ -2,45 +2,35 @@
 #include "experiment/python/stepped_run.hpp"
 
 #include <exception>
+#include <utility>
 
+#include "experiment/check/check_tables.hpp"
 #include "experiment/embedded/stopwatch.hpp"
 #include "experiment/metrics/metrics_json.hpp"
-#include "robot_agent/config/agent_config.hpp"
-#include "runtime/scenario/shared_tables.hpp"
 
 namespace caravan::experiment {
 namespace {
 
 constexpr Time kTrackPeriod = std::chrono::seconds{1};
-constexpr std::array kModes = {"none", "partial", "full"};  // in the order of agent::Sharing
 
-RunFacts facts_of(const runtime::TomlDocument& scenario) {
-  const runtime::RobotsTable robots = runtime::read_robots(scenario);
-  const runtime::ExperimentTable experiment = runtime::read_experiment(scenario);
-  const agent::Config agent = agent::load_config(scenario, 1);
-  RunFacts facts{
-      .scenario = {},
-      .engine = "embedded",
-      .controller = agent::Controllers{scenario}.name(),
-      .mode = kModes.at(static_cast<std::size_t>(agent.sharing.mode)),
-      .seed = agent.seed,
-      .robots = robots.count,
-      .items = experiment.items,
-      .max_time = std::chrono::duration_cast<Time>(std::chrono::duration<double>{experiment.max_time_s})};
-  scenario.root().read("name", facts.scenario);
+RunFacts facts_of(const runtime::TomlDocument& scenario, const agent::Controllers& controllers) {
+  RunFacts facts = check_tables(scenario);
+  facts.engine = "embedded";
+  facts.controller = controllers.name();
   return facts;
 }
 
 }  // namespace
 
-SteppedRun::SteppedRun(const runtime::TomlDocument& scenario)
-    : engine_{scenario},
-      facts_{facts_of(scenario)},
+SteppedRun::SteppedRun(const runtime::TomlDocument& scenario, agent::Controllers controllers)
+    : facts_{facts_of(scenario, controllers)},
+      engine_{scenario, std::move(controllers)},
       metrics_{facts_.robots},
       event_book_{facts_.robots},
       last_{engine_.last()} {}
 
 void SteppedRun::step() {
+  if (!failure_.empty()) throw runtime::ControllerFault{failure_};
   Stopwatch watch;
   try {
     observe(engine_.step());
@@ -50,6 +40,7 @@ void SteppedRun::step() {
     throw;
   }
   if (engine_.finished()) observe(last_);
+  if (complaint_.empty()) complaint_ = engine_.complaint();
   wall_time_s_ += watch.lap_s();
 }
 

@@ -15,10 +15,11 @@ namespace caravan::experiment {
 class SteppedRun {
  public:
   /// @throws runtime::StartError
-  explicit SteppedRun(const runtime::TomlDocument& scenario);
+  SteppedRun(const runtime::TomlDocument& scenario, agent::Controllers controllers);
 
   /// One step. @pre !engine().finished()
-  /// @throws runtime::ControllerFault, world::PhysicsError: no step can follow
+  /// @throws runtime::ControllerFault, world::PhysicsError: each later call throws a ControllerFault with the
+  /// same message
   void step();
 
   [[nodiscard]] const Engine& engine() const { return engine_; }
@@ -31,12 +32,14 @@ class SteppedRun {
   [[nodiscard]] const std::vector<EventRow>& events() const { return events_; }
   /// The text of metrics.json so far.
   [[nodiscard]] std::string metrics() const;
+  /// The first warning of the physics so far; empty: none.
+  [[nodiscard]] const std::string& complaint() const { return complaint_; }
 
  private:
   void observe(const Observation& observation);
 
-  Engine engine_;
   RunFacts facts_;
+  Engine engine_;
   Metrics metrics_;
   EventBook event_book_;
   std::vector<EventRow> events_;
@@ -44,6 +47,7 @@ class SteppedRun {
   Time next_track_{0};
   double wall_time_s_ = 0.0;
   std::string failure_;
+  std::string complaint_;
   Observation last_;
 };
 

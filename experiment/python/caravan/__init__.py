@@ -8,7 +8,7 @@
     run.run(until_s=60)
     print(run.poses(), run.metrics()["items_delivered"])
 
-docs/python.md is the tutorial."""
+docs/notebooks.md is the tutorial."""
 
 from caravan._engine import RunError, ScenarioError
 from caravan.records import Records, run_over_dds, to_frame

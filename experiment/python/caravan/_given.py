@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The controller of a run whose controllers are made by a class of its caller."""
+"""The controller of a run whose controllers are made by its caller. The host loads this file like any controller's."""
 
-import caravan.run
+from caravan.run import making
 
 
 class Given:
     def __init__(self, robot, parameters):
-        self.controller = caravan.run.given[parameters.integer("given", 0)](robot, parameters)
+        self.step = making.get()(robot, parameters).step
 
-    def step(self, inputs):
-        return self.controller.step(inputs)
+    def step(self, inputs):  # that of the controller hides it
+        raise NotImplementedError

@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """A run of the embedded engine in this process."""
 
-import itertools
+import contextvars
 import json
 import pathlib
+import warnings
 
 import numpy
 
 from caravan import _engine
+from caravan._interrupt import between_steps
 
 EVENT = numpy.dtype([("time_s", float), ("robot", int), ("event", object), ("detail", object)])
 TRACK = numpy.dtype([("time_s", float), ("robot", int), ("x_m", float), ("y_m", float), ("yaw_rad", float)])
+_LARGEST = 2**63 - 1
 
-given = {}  # number -> what makes the controllers of a run; for _given.py
-_numbers = itertools.count(1)
+making = contextvars.ContextVar("making")  # what makes the controllers while a run is made; for _given.py
 
 
 class Run:
@@ -24,21 +26,39 @@ class Run:
         scenario says what drives the robots.
 
         Raises ScenarioError when the scenario or a controller refuses."""
-        if controller is not None:
-            number = next(_numbers)
-            given[number] = controller
-            library = pathlib.Path(__file__).with_name("_given.py")
-            scenario = scenario.changed({"controller.library": str(library), "controller.given": number})
         self.scenario = scenario
-        self._run = _engine.Run(scenario.text, scenario.file)
+        if controller is None:
+            self._run = _engine.Run(scenario.text, scenario.file, "", "")
+        else:
+            given = str(pathlib.Path(__file__).with_name("_given.py"))
+            token = making.set(controller)
+            try:
+                self._run = _engine.Run(scenario.text, scenario.file, given, getattr(controller, "__name__", type(controller).__name__))
+            finally:
+                making.reset(token)
+        self._is_warned = False
 
     def step(self, steps=1):
-        """At most so many steps; less when the run ends. Returns how many. Raises RunError when a controller fails."""
-        return self._run.step(steps)
+        """At most so many steps; fewer when the run ends. Returns how many.
+
+        Ctrl-C raises KeyboardInterrupt after a step, and the run can go on. Raises RunError when a controller fails; then it cannot."""
+        if steps < 0:
+            raise ValueError(f"steps must be 0 or more, is {steps}")
+        return self._go_on(steps, _LARGEST)
 
     def run(self, until_s=None):
-        """To the end of the run, or until this simulated time. Python's lock is free meanwhile."""
-        return self._run.run_until(2**63 - 1 if until_s is None else round(until_s * 1e9))
+        """To the end of the run, or to the first step at or after this simulated time. Otherwise like step()."""
+        return self._go_on(_LARGEST, _LARGEST if until_s is None else min(round(until_s * 1e9), _LARGEST))
+
+    def _go_on(self, steps, until_ns):
+        done = 0
+        with between_steps() as interrupts:
+            while not interrupts and (part := self._run.go_on(steps - done, until_ns)):
+                done += part
+        if not self._is_warned and (complaint := self._run.complaint()):
+            self._is_warned = True
+            warnings.warn(complaint, RuntimeWarning, stacklevel=3)
+        return done
 
     @property
     def finished(self):
@@ -72,9 +92,9 @@ class Run:
             rows[name] = columns[:, index]
         return rows
 
-    def events(self):
-        """The rows of events.csv so far: fields time_s, robot, event, detail."""
-        return numpy.array(self._run.events(), EVENT)
+    def events(self, first=0):
+        """The rows of events.csv so far, from row `first` on: fields time_s, robot, event, detail."""
+        return numpy.array(self._run.events(first), EVENT)
 
     def metrics(self):
         """The content of metrics.json so far."""

@@ -17,7 +17,7 @@ import numpy
 from caravan_controller import Outputs
 
 FRONT = 8  # sonars 0 to 7 look ahead and to both sides
-REWARDS = {"pick_up": 1.0, "delivery": 10.0, "contact": -0.1}  # by the robot's events
+REWARDS = {"pick_up": 1.0, "delivery": 10.0, "contact": -0.1}  # for a row of events.csv
 
 
 class _Puppet:
@@ -42,26 +42,25 @@ class _Puppet:
 
 
 class ForagingEnv:
-    """Robots carry items. An action is the speed of both wheels in [-1, 1], an observation a vector of 16 numbers."""
+    """Robots carry items. An action is the speeds of both wheels in [-1, 1], an observation a vector of 16 numbers."""
 
     action_shape, observation_shape = (2,), (FRONT + 8,)
 
     def __init__(self, scenario, repeat=10):
         self.scenario = scenario
         self.repeat = repeat
-        self.possible_agents = [f"robot_{k + 1}" for k in range(scenario.tables["robots"]["count"])]
+        self.possible_agents = [f"robot_{k + 1}" for k in range(scenario.robots)]
         self.agents = []
 
     def reset(self, seed=None, options=None):
         """A new run. Returns observations and infos by agent. `options` are changes of the scenario."""
         changes = dict(options or {}) | ({} if seed is None else {"seed": seed})
-        puppets = {}
+        self.puppets = {}
 
-        def make(robot, _):
-            return puppets.setdefault(f"robot_{robot.id}", _Puppet(robot))
+        def puppet(robot, _):
+            return self.puppets.setdefault(f"robot_{robot.id}", _Puppet(robot))
 
-        self.run = caravan.Run(self.scenario.changed(changes), controller=make)
-        self.puppets = puppets
+        self.run = caravan.Run(self.scenario.changed(changes), controller=puppet)
         self.agents = list(self.possible_agents)
         self.known_events = 0
         self.run.step()  # the robots stand, and sense
@@ -75,8 +74,7 @@ class ForagingEnv:
             puppet.wheels_mps = tuple(float(speed) * limit_mps for speed in numpy.clip(actions[agent], -1.0, 1.0))
         self.run.step(self.repeat)
         observations, rewards, infos = self._observations(), self._rewards(), {agent: {} for agent in self.agents}
-        items = self.run.scenario.tables["experiment"].get("items", 0)
-        is_done = self.run.finished and 0 < items <= self.run.items_delivered
+        is_done = 0 < self.run.scenario.items <= self.run.items_delivered
         terminations = {agent: is_done for agent in self.agents}
         truncations = {agent: self.run.finished and not is_done for agent in self.agents}
         if self.run.finished:
@@ -97,8 +95,8 @@ class ForagingEnv:
 
     def _rewards(self):
         rewards = dict.fromkeys(self.agents, 0.0)
-        events = self.run.events()
-        for event in events[self.known_events:]:
+        events = self.run.events(self.known_events)
+        for event in events:
             rewards[f"robot_{event['robot']}"] += REWARDS.get(event["event"], 0.0)
-        self.known_events = len(events)
+        self.known_events += len(events)
         return rewards

@@ -7,6 +7,7 @@ import sys
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
+PROGRAM = pathlib.Path(os.environ["CARAVAN"])
 SMALL = ROOT / "deploy/scenarios/small.toml"
 
 
