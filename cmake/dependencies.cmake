@@ -15,6 +15,7 @@ find_package(CLI11 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(Threads REQUIRED)
+find_package(GTest REQUIRED)  # of the tests, and of agent_contract, which is installed
 # Only the modules of Python use these; no program is linked with Python, which is loaded when a controller is written in it.
 # Debian's own interpreter: it has Debian's packages, whatever python3 is first in the path.
 set(Python3_EXECUTABLE /usr/bin/python3)
@@ -27,3 +28,10 @@ add_library(caravan_ode INTERFACE)
 target_include_directories(caravan_ode SYSTEM INTERFACE ${ODE_INCLUDE_DIR})
 target_link_libraries(caravan_ode INTERFACE ${ODE_LIBRARY})
 target_compile_definitions(caravan_ode INTERFACE dIDEDOUBLE)
+# ODE has no constant and no function for its version.
+cmake_path(GET ODE_LIBRARY PARENT_PATH ode_folder)
+set(CARAVAN_ODE_VERSION unknown)
+if(EXISTS ${ode_folder}/pkgconfig/ode.pc)
+  file(STRINGS ${ode_folder}/pkgconfig/ode.pc ode_version REGEX "^Version:")
+  string(REGEX REPLACE "^Version: *" "" CARAVAN_ODE_VERSION "${ode_version}")
+endif()

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 include(CTest)
 if(BUILD_TESTING)
-  find_package(GTest REQUIRED)
   include(GoogleTest)
   # A header instead of definitions for every file: files that do not use these paths compile the same in every checkout.
   set(CARAVAN_BUILD_PATHS_DIR ${CMAKE_BINARY_DIR}/generated/build_paths)
@@ -35,7 +34,8 @@ endfunction()
 
 # caravan_test(NAME LABEL level SOURCES... LINK... [TIMEOUT seconds] [SLOW]): a GoogleTest program; every case is a ctest with that label.
 # With SLOW the label is <level>-slow: gtest_discover_tests takes only one label. TIMEOUT is the time that a case may take on an idle machine. On
-# other machines tests wait longer themselves (tests/support/patience.hpp); ctest ends a stuck case at ten times that.
+# other machines tests wait longer themselves (tests/support/patience.hpp); ctest ends a stuck case at ten times that. Cases that may take long start
+# first, so that no long one is left when all others have ended.
 function(caravan_test name)
   cmake_parse_arguments(arg "SLOW" "LABEL;TIMEOUT" "SOURCES;LINK" ${ARGN})
   if(NOT arg_TIMEOUT)
@@ -52,5 +52,5 @@ function(caravan_test name)
     string(APPEND label -slow)
   endif()
   gtest_discover_tests(${name} TEST_PREFIX "${arg_LABEL}." DISCOVERY_TIMEOUT 60
-    PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT})
+    PROPERTIES LABELS ${label} TIMEOUT ${arg_TIMEOUT} COST ${arg_TIMEOUT})
 endfunction()

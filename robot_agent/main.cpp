@@ -46,17 +46,14 @@ agent::Controllers::TraceFolder existing_folder(const std::vector<std::string>& 
 /// A controller that cannot be made is found before the robot has one.
 void make_once(const agent::Controllers& controllers, const std::vector<agent::Config>& configs) {
   runtime::Calls calls;
-  const runtime::CallWatch watch{
-      calls, [&](std::uint64_t call, runtime::CallWatch::Reason reason) {
-        const bool is_stop = reason == runtime::CallWatch::Reason::kStop;
-        spdlog::critical(
-            "controller {}, robot {}: its constructor has not returned{}", controllers.name(),
-            configs[call / 2].id.value,
-            is_stop ? ", and this process is stopped"
-                    : fmt::format(" for {} s: this process ends", runtime::CallWatch::kLongestCall.count()));
-        spdlog::shutdown();
-        std::_Exit(is_stop ? runtime::kDone : runtime::kCouldNotStart);
-      }};
+  const runtime::CallWatch watch{calls, [&](std::uint64_t call, runtime::CallWatch::Reason reason) {
+                                   const bool is_stop = reason == runtime::CallWatch::Reason::kStop;
+                                   spdlog::critical("controller {}, robot {}: its constructor {}",
+                                                    controllers.name(), configs[call / 2].id.value,
+                                                    to_text(reason));
+                                   spdlog::shutdown();
+                                   std::_Exit(is_stop ? runtime::kDone : runtime::kCouldNotStart);
+                                 }};
   for (const agent::Config& config : configs) {
     const runtime::Calls::Call call{calls};
     (void)controllers.make(config);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -21,18 +20,6 @@ struct Pose {
   double x_m = 0.0;
   double y_m = 0.0;
   double yaw_rad = 0.0;  ///< counter-clockwise from east, in (-pi, pi]
-};
-
-/// Sensor readings of a robot at one stamp. NaN: currently unknown. +inf: no echo.
-struct Senses {
-  std::array<double, kSonarCount> sonar_range_m{};
-  std::array<double, kSonarCount> sonar_age_s{};
-  double gps_x_m = 0.0;
-  double gps_y_m = 0.0;
-  double compass_yaw_rad = 0.0;
-  double left_wheel_rad = 0.0;
-  double right_wheel_rad = 0.0;
-  bool holding = false;
 };
 
 /// A robot's command for one step. Already finite and within the wheel limit (see sanitise()).

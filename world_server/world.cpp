@@ -30,14 +30,15 @@ ItemRules item_rules(const WorldConfig& config) {
           .items = config.experiment.items};
 }
 
-Senses nothing_sensed() {
+Sensors nothing_sensed() {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  Senses senses;
-  senses.sonar_range_m.fill(kUnknown);
-  senses.sonar_age_s.fill(kUnknown);
-  senses.gps_x_m = senses.gps_y_m = senses.compass_yaw_rad = kUnknown;
-  senses.left_wheel_rad = senses.right_wheel_rad = kUnknown;
-  return senses;
+  Sensors sensors;
+  sensors.sonar_range_m.fill(kUnknown);
+  sensors.sonar_age_s.fill(kUnknown);
+  sensors.position = {kUnknown, kUnknown};
+  sensors.yaw_rad = kUnknown;
+  sensors.left_wheel_rad = sensors.right_wheel_rad = kUnknown;
+  return sensors;
 }
 
 }  // namespace
@@ -133,21 +134,20 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-Senses World::sense(std::uint32_t robot) {
+Sensors World::sense(std::uint32_t robot) {
   CARAVAN_ASSERT(robot >= 1 && robot <= impl_->count);
   const std::size_t index = robot - 1;
   if (!impl_->is_present(robot)) return nothing_sensed();
   Devices& devices = impl_->devices[index];
   const Pose seen = devices.locate(impl_->dynamics.poses()[index]);
-  Senses senses;
-  senses.sonar_range_m = devices.sonar(impl_->sonars.ranges(index));
-  senses.gps_x_m = seen.x_m;
-  senses.gps_y_m = seen.y_m;
-  senses.compass_yaw_rad = seen.yaw_rad;
-  senses.left_wheel_rad = impl_->dynamics.left_wheel_rad(index);
-  senses.right_wheel_rad = impl_->dynamics.right_wheel_rad(index);
-  senses.holding = impl_->items.holds(robot);
-  return senses;
+  Sensors sensors;
+  sensors.sonar_range_m = devices.sonar(impl_->sonars.ranges(index));
+  sensors.position = {seen.x_m, seen.y_m};
+  sensors.yaw_rad = seen.yaw_rad;
+  sensors.left_wheel_rad = impl_->dynamics.left_wheel_rad(index);
+  sensors.right_wheel_rad = impl_->dynamics.right_wheel_rad(index);
+  sensors.holding = impl_->items.holds(robot);
+  return sensors;
 }
 
 std::span<const Pose> World::poses() const { return impl_->dynamics.poses(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <caravan/types.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,7 +15,7 @@ namespace caravan::world {
 
 /// The emulated world of one session: bodies, sensors, items. Robots are numbered 1 .. config.robots.count.
 ///
-/// One step: read `senses`, then `advance` with a command for each robot. Deterministic: equal configurations
+/// One step: read `sense`, then `advance` with a command for each robot. Deterministic: equal configurations
 /// and commands give equal bits on one machine type.
 class World {
  public:
@@ -26,7 +27,7 @@ class World {
 
   /// Sensor readings of `robot` now; a robot that is not in the world senses nothing. Noise is drawn at each
   /// call, so call it exactly once per robot and step.
-  [[nodiscard]] Senses sense(std::uint32_t robot);
+  [[nodiscard]] Sensors sense(std::uint32_t robot);
   /// True poses by robot, [0] is robot 1; NaN for a robot that is not in the world.
   [[nodiscard]] std::span<const Pose> poses() const;
 

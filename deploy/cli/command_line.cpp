@@ -9,8 +9,10 @@
 
 #include "deploy/control/run_ctl.hpp"
 #include "deploy/kit/run_script.hpp"
+#include "runtime/process/data_folder.hpp"
 #include "runtime/process/run_process.hpp"
 #include "runtime/process/version.hpp"
+#include "runtime/pure/one_line.hpp"
 
 namespace caravan::deploy {
 namespace {
@@ -24,10 +26,17 @@ void add_changes(CLI::App& app, Overrides& overrides) {
   app.add_option("--robots", overrides.robots, "Number of robots");
   app.add_option("--items", overrides.items, "Deliveries that end the run; 0: only the time limit ends it");
   app.add_option("--max-time", overrides.max_time_s, "Simulated seconds after which the run ends");
-  app.add_option("--controller", overrides.controller,
-                 "What drives the robots: paper, or a shared library (see docs/your_own_agent.md)");
+  app.add_option(
+      "--controller", overrides.controller,
+      "What drives the robots: paper, or a shared library; see " + runtime::page("your_own_agent.md"));
   app.add_option("--pacing", overrides.pacing, "fast, realtime or free")
       ->check(CLI::IsMember({"fast", "realtime", "free"}));
+}
+
+void add_set(CLI::App& app, std::vector<std::string>& sets,
+             const std::string& meaning =
+                 "Another value for a key of the scenario, such as radio.range_m=4; repeatable") {
+  app.add_option("--set", sets, meaning)->allow_extra_args(false)->type_name("KEY=VALUE");
 }
 
 void add_engine(CLI::App& app, std::string& engine) {
@@ -39,8 +48,8 @@ void add_engine(CLI::App& app, std::string& engine) {
 void add_transport(CLI::App& app, runtime::Transport& transport) {
   app.add_option_function<std::string>(
          "--transport", [&](const std::string& text) { transport = runtime::transport_named(text); },
-         "DDS transport. shm: shared memory; udp: unicast on 127.0.0.1; FILE.xml: a profile, see "
-         "docs/hosts.md")
+         "DDS transport. shm: shared memory; udp: unicast on 127.0.0.1; FILE.xml: a profile, see " +
+             runtime::page("hosts.md"))
       ->check(runtime::complaint_about_transport)
       ->default_str(to_text(transport));
 }
@@ -55,6 +64,7 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
   run.add_option("--seed", command.overrides.seed, "Seed of all random numbers")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{std::numeric_limits<std::int64_t>::max()}));
   add_changes(run, command.overrides);
+  add_set(run, command.sets);
   run.add_option("--domain", command.domain, "DDS domain; default: a free one")->check(CLI::Range(0U, 232U));
   add_transport(run, command.transport);
   run.add_option("--agent", command.agent,
@@ -69,6 +79,17 @@ void add_run_options(CLI::App& run, RunCommand& command, std::string& engine) {
   run.add_flag("--trace", command.trace, "Record every step, for `caravan diff` and `caravan step-agent`");
   run.add_flag("--quiet", command.quiet, "No progress, no result table");
   run.add_flag("--report", command.report, "Draw the report of the run when it has ended");
+}
+
+void add_rerun_options(CLI::App& rerun, RerunCommand& command) {
+  rerun.add_option("run", command.run, "Folder of a run")->required()->check(complaint_about_name);
+  rerun.add_option("--engine", command.engine, "dds or embedded; default: that of the run")
+      ->check(CLI::IsMember({"dds", "embedded"}));
+  rerun
+      .add_option("--out", command.out,
+                  "Folder for the results; must be new or empty; default: a new one in the run's folder")
+      ->check(complaint_about_name);
+  rerun.add_flag("--quiet", command.quiet, "No progress, no result table");
 }
 
 void add_report_options(CLI::App& report, ReportCommand& command) {
@@ -86,10 +107,18 @@ void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
       ->required()
       ->check(complaint_about_name);
   sweep.add_option("--seeds", command.seeds, "Seeds, as in 1-30 or 1,4,7-9")->capture_default_str();
-  sweep.add_option("--modes", command.modes, "Modes of communication, comma-separated")
-      ->capture_default_str();
+  sweep.add_option(
+      "--modes", command.modes,
+      "Modes of communication, comma-separated; default: none,partial,full; with --set or --plan the "
+      "scenario's");
   add_engine(sweep, command.engine);
   add_changes(sweep, command.overrides);
+  add_set(sweep, command.sets,
+          "Values for a key of the scenario, such as radio.range_m=2,4; repeatable, and then every "
+          "combination is "
+          "run (see docs/sweeps.md)");
+  sweep.add_option("--plan", command.plan, "File of a larger plan (TOML, see docs/sweeps.md)")
+      ->check(complaint_about_name);
   command.jobs = std::max(1U, std::thread::hardware_concurrency());
   sweep.add_option("--jobs", command.jobs, "Number of parallel runs; default: one per processor")
       ->check(CLI::Range(std::size_t{1}, std::size_t{4096}));
@@ -135,6 +164,7 @@ void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
       ->check(complaint_about_name);
   deploy.add_option("--controller", command.controller, "What drives the robots: paper, or a shared library")
       ->check(complaint_about_name);
+  add_set(deploy, command.sets);
   deploy.add_option("--domain", command.domain, "DDS domain; default: a free one")
       ->check(CLI::Range(0U, 232U));
   add_transport(deploy, command.transport);
@@ -156,7 +186,15 @@ void add_doctor_options(CLI::App& doctor, DoctorCommand& command) {
 
 Exit explain(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return {app.exit(error)};
-  std::fprintf(stderr, "caravan: %s (see caravan --help)\n", error.what());
+  const auto chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "caravan" : "caravan " + chosen.front()->get_name();
+  std::string why = error.what();
+  if (const auto rest = app.remaining(); chosen.empty() && !rest.empty()) {
+    const char* kind = rest.front().starts_with('-') ? "option" : "command";
+    why = "there is no " + std::string{kind} + " \"" + rest.front() + "\"";
+  }
+  std::fprintf(stderr, "%s: %s (see %s --help)\n", command.c_str(), pure::one_line(why).c_str(),
+               command.c_str());
   return {runtime::kCouldNotStart};
 }
 
@@ -170,6 +208,10 @@ Command read_command_line(int argc, const char* const* argv) {
   std::string engine = "dds";
   CLI::App* run = app.add_subcommand("run", "Run a scenario and report its result");
   add_run_options(*run, run_command, engine);
+  RerunCommand rerun_command;
+  CLI::App* rerun =
+      app.add_subcommand("rerun", "Repeat a run from its folder; say whether it came out equal");
+  add_rerun_options(*rerun, rerun_command);
   DiffCommand diff_command;
   CLI::App* diff = app.add_subcommand("diff", "Name the first difference between two runs with --trace");
   diff->add_option("one", diff_command.one, "Folder of a run")->required()->check(complaint_about_name);
@@ -189,9 +231,11 @@ Command read_command_line(int argc, const char* const* argv) {
   check->add_option("scenario", check_command.scenario, "Scenario file (TOML)")
       ->required()
       ->check(complaint_about_name);
+  add_set(*check, check_command.sets);
   NewCommand new_command;
-  CLI::App* new_project = app.add_subcommand(
-      "new", "Write a project of your own: controller, scenario, test (see docs/your_own_agent.md)");
+  CLI::App* new_project =
+      app.add_subcommand("new", "Write a project of your own: controller, scenario, test; see " +
+                                    runtime::page("your_own_agent.md"));
   new_project->add_option("name", new_command.name, "Name of the project and its folder: lower_snake_case")
       ->required();
   ReportCommand report_command;
@@ -218,8 +262,11 @@ Command read_command_line(int argc, const char* const* argv) {
     return explain(app, error);
   }
   run_command.embedded = engine == "embedded";
+  run_command.command_line.assign(argv, argv + argc);
+  rerun_command.command_line = run_command.command_line;
   if (check->parsed()) return check_command;
   if (new_project->parsed()) return new_command;
+  if (rerun->parsed()) return rerun_command;
   if (diff->parsed()) return diff_command;
   if (step_agent->parsed()) return step_agent_command;
   if (sweep->parsed()) return sweep_command;

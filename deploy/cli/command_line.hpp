@@ -15,6 +15,7 @@ namespace caravan::deploy {
 
 struct CheckCommand {
   std::filesystem::path scenario;
+  std::vector<std::string> sets;  ///< of --set, as in the other commands: input of read_settings()
 };
 
 struct NewCommand {
@@ -25,6 +26,7 @@ struct RunCommand {
   std::filesystem::path scenario;
   bool embedded = false;  ///< engine embedded instead of dds
   Overrides overrides;
+  std::vector<std::string> sets;
   std::optional<std::uint32_t> domain;
   runtime::Transport transport = runtime::Transport::kSharedMemory;
   std::string agent;  ///< program in the place of robot_agent; empty: none
@@ -32,7 +34,16 @@ struct RunCommand {
   std::optional<std::filesystem::path> out;
   bool trace = false;
   bool quiet = false;
-  bool report = false;  ///< draws a report at the end
+  bool report = false;                         ///< draws a report at the end
+  std::vector<std::string> command_line = {};  ///< all words, for the record
+};
+
+struct RerunCommand {
+  std::filesystem::path run;
+  std::optional<std::string> engine;  ///< none: that of the run
+  std::optional<std::filesystem::path> out;
+  bool quiet = false;
+  std::vector<std::string> command_line = {};  ///< all words, for the record
 };
 
 struct ReportCommand {
@@ -55,10 +66,12 @@ struct StepAgentCommand {
 struct SweepCommand {
   std::filesystem::path scenario;
   std::string engine = "embedded";
-  std::string seeds = "1-10";               ///< a list of numbers
-  std::string modes = "none,partial,full";  ///< input of read_modes()
-  Overrides overrides;                      ///< for every run; neither mode nor seed
-  std::size_t jobs = 1;                     ///< without the option: one per processor
+  std::string seeds = "1-10";        ///< a list of numbers
+  std::optional<std::string> modes;  ///< input of read_modes(); none: all, with axes that of the scenario
+  Overrides overrides;               ///< for every run; neither mode nor seed
+  std::vector<std::string> sets;     ///< axes: input of runtime::read_key_values()
+  std::filesystem::path plan;        ///< input of read_plan(); empty: none
+  std::size_t jobs = 1;              ///< without the option: one per processor
   std::filesystem::path out;
   std::optional<std::size_t> task;
   bool count = false;  ///< only print the number of runs
@@ -85,6 +98,7 @@ struct DeployCommand {
   std::optional<std::filesystem::path> out;
   std::optional<std::filesystem::path> junit;
   std::string controller;  ///< "paper" or a path; empty: the scenario's
+  std::vector<std::string> sets;
   std::optional<std::uint32_t> domain;
   runtime::Transport transport = runtime::Transport::kSharedMemory;
   bool check_only = false;
@@ -97,8 +111,9 @@ struct Exit {
   int code = 0;
 };
 
-using Command = std::variant<CheckCommand, NewCommand, RunCommand, DiffCommand, StepAgentCommand,
-                             SweepCommand, ReportCommand, CtlCommand, DeployCommand, DoctorCommand, Exit>;
+using Command =
+    std::variant<CheckCommand, NewCommand, RunCommand, RerunCommand, DiffCommand, StepAgentCommand,
+                 SweepCommand, ReportCommand, CtlCommand, DeployCommand, DoctorCommand, Exit>;
 
 /// Reads the command line of `caravan`. An error is one line on standard error and exit code 2.
 [[nodiscard]] Command read_command_line(int argc, const char* const* argv);

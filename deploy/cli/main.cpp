@@ -9,14 +9,19 @@
 #include "deploy/cli/command_line.hpp"
 #include "deploy/cli/new_project.hpp"
 #include "deploy/cli/plan_sweep.hpp"
+#include "deploy/cli/rerun.hpp"
+#include "deploy/cli/run_provenance.hpp"
 #include "deploy/cli/try_controllers.hpp"
 #include "deploy/control/run_ctl.hpp"
 #include "deploy/doctor/run_doctor.hpp"
 #include "deploy/kit/run_script.hpp"
+#include "deploy/kit/script.hpp"
 #include "deploy/launcher/run_dds.hpp"
 #include "experiment/embedded/run_embedded.hpp"
+#include "experiment/metrics/provenance_json.hpp"
 #include "experiment/metrics/run_directory.hpp"
 #include "experiment/report/write_report.hpp"
+#include "experiment/report/write_statistics.hpp"
 #include "experiment/sweep/run_sweep.hpp"
 #include "experiment/trace/diff_runs.hpp"
 #include "experiment/trace/step_agent.hpp"
@@ -33,7 +38,8 @@ namespace {
 using namespace caravan;
 
 int check(const deploy::CheckCommand& command) {
-  (void)deploy::check_scenario(runtime::TomlDocument::load(command.scenario));
+  (void)deploy::check_scenario(
+      runtime::TomlDocument::load(command.scenario, deploy::read_settings(command.sets, {})));
   std::printf("%s: good\n", command.scenario.c_str());
   return runtime::kDone;
 }
@@ -66,7 +72,8 @@ std::filesystem::path agent_program(const deploy::RunCommand& command) {
 
 int run(const deploy::RunCommand& command) {
   runtime::Loop loop;
-  const auto original = runtime::TomlDocument::load(command.scenario);
+  const auto original =
+      runtime::TomlDocument::load(command.scenario, deploy::read_settings(command.sets, command.overrides));
   (void)deploy::check_tables(
       original, deploy::controller_of(
                     original, command.overrides));  // first, because only the original has the line numbers
@@ -77,6 +84,7 @@ int run(const deploy::RunCommand& command) {
   facts.engine = command.embedded ? "embedded" : "dds";
   const std::filesystem::path agent = agent_program(command);
   if (!agent.empty()) facts.controller = agent.filename();
+  facts.provenance = deploy::provenance_of(command, effective, text, agent);
   std::optional<runtime::DomainLock>
       lock;  // before the folder: if the domain is taken, nothing is left behind
   if (!command.embedded) lock.emplace(command.domain);
@@ -86,6 +94,7 @@ int run(const deploy::RunCommand& command) {
   if (command.trace) {
     trace = folder / "trace";
     std::filesystem::create_directory(*trace);
+    write_first_file(*trace / "provenance.json", experiment::record_header(facts.provenance, text));
   }
   const experiment::RunRequest request{.facts = facts,
                                        .scenario = effective,
@@ -103,6 +112,14 @@ int run(const deploy::RunCommand& command) {
   return code;
 }
 
+int rerun(const deploy::RerunCommand& command) {
+  const deploy::Rerun plan = deploy::plan_rerun(command);
+  const int code = run(plan.run);
+  // A run whose time is up ends with kFailed, and has a result.
+  if (code != runtime::kDone && code != runtime::kFailed) return code;
+  return deploy::judge_rerun(plan, stdout);
+}
+
 int sweep(const deploy::SweepCommand& command) {
   runtime::Loop loop;
   experiment::SweepPlan plan = deploy::plan_sweep(command);
@@ -110,20 +127,28 @@ int sweep(const deploy::SweepCommand& command) {
     std::printf("%zu\n", plan.runs.size());
     return runtime::kDone;
   }
-  return experiment::run_sweep({.plan = std::move(plan),
-                                .folder = std::filesystem::absolute(command.out),
-                                .jobs = command.jobs,
-                                .task = command.task,
-                                .summarise = command.summarise,
-                                .retry_failed = command.retry_failed,
-                                .quiet = command.quiet,
-                                .loop = loop});
+  const std::filesystem::path folder = std::filesystem::absolute(command.out);
+  const int code = experiment::run_sweep({.plan = std::move(plan),
+                                          .folder = folder,
+                                          .jobs = command.jobs,
+                                          .task = command.task,
+                                          .summarise = command.summarise,
+                                          .retry_failed = command.retry_failed,
+                                          .quiet = command.quiet,
+                                          .loop = loop});
+  if (command.task) return code;
+  if (code == runtime::kInterrupted) {
+    experiment::remove_comparisons(folder);
+    return code;
+  }
+  return experiment::write_statistics(folder, command.quiet, loop) ? runtime::kInterrupted : code;
 }
 
 int obey(const deploy::Exit& exit) { return exit.code; }
 int obey(const deploy::CheckCommand& command) { return check(command); }
 int obey(const deploy::NewCommand& command) { return write_new(command); }
 int obey(const deploy::RunCommand& command) { return run(command); }
+int obey(const deploy::RerunCommand& command) { return rerun(command); }
 int obey(const deploy::DiffCommand& command) {
   return experiment::diff_runs(command.one, command.other, stdout);
 }
@@ -151,10 +176,19 @@ int obey(const deploy::DoctorCommand& command) {
 }
 int obey(const deploy::DeployCommand& command) {
   runtime::Loop loop;
+  deploy::Overrides overrides;
+  if (!command.controller.empty()) overrides.controller = command.controller;
+  const runtime::Settings settings = deploy::read_settings(command.sets, overrides);
+  const std::string controller = deploy::absolute_controller(command.controller);
+  if (!settings.empty()) {
+    const auto scenario = deploy::scenario_of(deploy::load_script(command.script, settings), controller);
+    (void)deploy::check_tables(scenario, deploy::controller_of(scenario, {}));
+  }
   return deploy::run_script({.script = command.script,
                              .out = command.out,
                              .junit = command.junit,
-                             .controller = deploy::absolute_controller(command.controller),
+                             .controller = controller,
+                             .settings = settings,
                              .domain = command.domain,
                              .transport = command.transport,
                              .check_only = command.check_only,
@@ -176,6 +210,9 @@ int main(int argc, char** argv) {
   } catch (const runtime::StartError& error) {
     std::fprintf(stderr, "%s\n", pure::one_line(error.what()).c_str());
     return runtime::kCouldNotStart;
+  } catch (const deploy::Interrupted&) {
+    std::fprintf(stderr, "caravan: stopped while it tried the controllers; nothing has started\n");
+    return runtime::kInterrupted;
   } catch (const runtime::WriteError& error) {
     std::fprintf(stderr, "%s\n", pure::one_line(error.what()).c_str());
     return runtime::kFailed;

@@ -3,8 +3,10 @@
 
 #include <toml++/toml.h>
 
+#include <array>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 #include "robot_agent/controller/controllers.hpp"
 #include "runtime/scenario/name.hpp"
@@ -19,6 +21,40 @@ void set(toml::table& tree, std::string_view table, std::string_view key, const 
 }
 
 }  // namespace
+
+void refuse_clash(const std::string& key, const std::string& origin, const Overrides& overrides) {
+  struct Option {
+    const char* key;
+    const char* name;
+    bool is_given;
+  };
+  const std::array<Option, 7> options = {
+      {{"algorithm.mode", "--mode", overrides.mode.has_value()},
+       {"seed", "--seed", overrides.seed.has_value()},
+       {"robots.count", "--robots", overrides.robots.has_value()},
+       {"experiment.items", "--items", overrides.items.has_value()},
+       {"experiment.max_time_s", "--max-time", overrides.max_time_s.has_value()},
+       {"experiment.pacing", "--pacing", overrides.pacing.has_value()},
+       {"controller.library", "--controller", overrides.controller.has_value()}}};
+  for (const Option& option : options) {
+    if (option.is_given && key == option.key)
+      throw runtime::StartError{origin + ": " + option.name + " sets it, too; use one of the two"};
+  }
+}
+
+runtime::Settings read_settings(const std::vector<std::string>& sets, const Overrides& overrides) {
+  runtime::Settings settings;
+  for (const std::string& text : sets) {
+    runtime::Setting setting = runtime::read_setting(text, "--set");
+    refuse_clash(setting.key, setting.origin, overrides);
+    for (const runtime::Setting& before : settings) {
+      if (before.key == setting.key)
+        throw runtime::StartError{setting.origin + ": is set twice, also to " + before.value};
+    }
+    settings.push_back(std::move(setting));
+  }
+  return settings;
+}
 
 std::string absolute_controller(const std::string& given) {
   if (given.empty() || given == agent::kPaper) return given;

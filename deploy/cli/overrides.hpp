@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "runtime/config/toml_table.hpp"
 
@@ -20,6 +21,14 @@ struct Overrides {
   std::optional<std::string>
       controller;  ///< controller.library, "paper" or a path from the working directory
 };
+
+/// @throws StartError when one of the keys is one that the command line changes by another option, too
+void refuse_clash(const std::string& key, const std::string& origin, const Overrides& overrides);
+
+/// The settings of --set.
+/// @throws StartError for a wrong form, a key that is set twice, or refuse_clash()
+[[nodiscard]] runtime::Settings read_settings(const std::vector<std::string>& sets,
+                                              const Overrides& overrides);
 
 /// A controller of the command line: "paper", empty, or the absolute form of a path from the working
 /// directory.

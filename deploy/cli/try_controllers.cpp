@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 
 #include "robot_agent/config/agent_config.hpp"
 #include "robot_agent/controller/controllers.hpp"
+#include "runtime/controller/call_watch.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 
 namespace caravan::deploy {
@@ -43,19 +45,22 @@ std::string verdict(const runtime::TomlDocument& scenario, const std::string& co
   }
 }
 
-/// Until the other end is closed or time is up. @return false: time is up
-bool read_all(int file, std::string& text) {
+enum class Read : std::uint8_t { kAll, kTimeIsUp, kStop };
+
+/// Until the other end is closed, time is up, or the process is told to stop.
+Read read_all(int file, std::string& text) {
+  constexpr std::chrono::milliseconds kTick{100};  // bounds the delay in noticing a signal
   const Clock::time_point end = Clock::now() + kPatience;
   std::array<char, 4096> part{};
-  for (;;) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-    if (left <= 0) return false;
+  while (Clock::now() < end) {
+    if (runtime::stop_is_pending()) return Read::kStop;
     pollfd one{.fd = file, .events = POLLIN, .revents = 0};
-    if (poll(&one, 1, static_cast<int>(left)) <= 0) continue;
+    if (poll(&one, 1, static_cast<int>(kTick.count())) <= 0) continue;
     const ssize_t size = read(file, part.data(), part.size());
-    if (size <= 0) return true;
+    if (size <= 0) return Read::kAll;
     text.append(part.data(), static_cast<std::size_t>(size));
   }
+  return Read::kTimeIsUp;
 }
 
 std::string how_it_ended(int status) {
@@ -74,18 +79,20 @@ std::string try_controllers(const runtime::TomlDocument& scenario, const std::st
   const pid_t child = fork();
   if (child < 0) throw runtime::StartError{std::string{"fork: "} + std::strerror(errno)};
   if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     const std::string text = verdict(scenario, controller);
     (void)!write(ends[1], text.data(), text.size());
     _exit(0);
   }
   close(ends[1]);
   std::string text;
-  const bool in_time = read_all(ends[0], text);
+  const Read how = read_all(ends[0], text);
   close(ends[0]);
-  if (!in_time) kill(child, SIGKILL);
+  if (how != Read::kAll) kill(child, SIGKILL);
   int status = 0;
   waitpid(child, &status, 0);
-  if (!in_time) {
+  if (how == Read::kStop) throw Interrupted{};
+  if (how == Read::kTimeIsUp) {
     throw runtime::StartError{"controller " + controller + ": is not made within " +
                               std::to_string(kPatience.count()) + " s: a constructor does not return"};
   }

@@ -91,8 +91,7 @@ void read_speed(Words& words, msg::ControlRequest& request) {
 void read_steps(Words& words, msg::ControlRequest& request) {
   request.action(kind::STEP);
   const std::uint64_t steps =
-      words.is_empty() || words.peek() == "at" ? 1 : words.count("the number of steps");
-  if (steps > std::numeric_limits<std::uint32_t>::max()) throw WordsError{"too many steps"};
+      words.is_empty() || words.peek() == "at" ? 1 : words.count("the number of steps", 1);
   request.steps(static_cast<std::uint32_t>(steps));
 }
 
@@ -162,10 +161,12 @@ double Words::number(const std::string& what) {
   return *value;
 }
 
-std::uint64_t Words::count(const std::string& what) {
+std::uint64_t Words::count(const std::string& what, std::uint64_t lowest) {
   const std::string text = word(what);
   const auto value = parsed<std::uint64_t>(text);
-  if (!value) throw WordsError{what + " must be a whole number, is \"" + text + "\""};
+  if (!value || *value < lowest || *value > kHighestStep)
+    throw WordsError{what + " must be a whole number from " + std::to_string(lowest) + " to " +
+                     std::to_string(kHighestStep) + ", is \"" + text + "\""};
   return *value;
 }
 
@@ -219,10 +220,7 @@ std::optional<msg::ControlRequest> read_control(Words words) {
     if (!words.take_if(verb.verb)) continue;
     msg::ControlRequest request;
     verb.read(words, request);
-    if (words.take_if("at")) {
-      request.at_step(words.count("the step"));
-      if (request.at_step() == 0) throw WordsError{"the step after `at` must be at least 1"};
-    }
+    if (words.take_if("at")) request.at_step(words.count("the step after `at`", 1));
     words.end();
     return request;
   }

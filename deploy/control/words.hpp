@@ -18,6 +18,9 @@ struct WordsError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The highest step that a request can name, as in scripts: four years of simulated time.
+inline constexpr std::uint64_t kHighestStep = 4'294'967'295;
+
 /// The words of one line, read from left to right.
 class Words {
  public:
@@ -32,7 +35,7 @@ class Words {
   /// it
   std::string word(const std::string& what);
   double number(const std::string& what);
-  std::uint64_t count(const std::string& what);
+  std::uint64_t count(const std::string& what, std::uint64_t lowest);  ///< up to kHighestStep
   std::uint32_t robot();
   /// `3`, `1,2`, `1-4` or `all`, which is empty.
   std::vector<std::uint32_t> robots();

@@ -16,6 +16,7 @@
 #include <sstream>
 
 #include "runtime/host/shared_memory.hpp"
+#include "runtime/process/data_folder.hpp"
 
 namespace caravan::deploy {
 namespace fs = std::filesystem;
@@ -133,6 +134,7 @@ HostFacts look_at_host(std::uint32_t robots, std::uint32_t domain, const runtime
   facts.missing_programs = missing_programs();
   facts.dds_built = runtime::dds_version();
   facts.dds_loaded = loaded_dds();
+  facts.server_profile = runtime::data_folder() / "fastdds/discovery_server.xml";
   look_at_shared_memory(facts);
   look_at_ports(facts);
   look_at_clock(facts);

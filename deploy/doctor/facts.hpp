@@ -20,6 +20,7 @@ struct HostFacts {
   std::vector<std::string> missing_programs;  ///< programs missing beside `caravan`
   std::string dds_built;                      ///< version that the program was built with
   std::string dds_loaded;                     ///< version that it runs with; empty: unknown
+  std::string server_profile;                 ///< profile of a Discovery Server
 
   // shared memory: /dev/shm
   bool shared_memory_writable = true;

@@ -121,7 +121,7 @@ Finding discovery(const HostFacts& facts) {
       return {Severity::kProblem, subject,
               "no Discovery Server at " + names.back() + ", an address of this host",
               "fast-discovery-server -i 0 -l " + server.address + " -p " + std::to_string(server.port) +
-                  " -x deploy/fastdds/discovery_server.xml"};
+                  " -x " + facts.server_profile};
   }
   return {Severity::kGood, subject, "server " + listed(names), ""};
 }

@@ -62,7 +62,7 @@ std::vector<std::string> read_names(Words& words, std::uint32_t robots) {
 
 StepUntil read_step_until(const std::string& line, Words& words) {
   const std::string most = words.peek();
-  const std::uint64_t count = words.count("the most steps");
+  const std::uint64_t count = words.count("the most steps", 1);
   const std::size_t condition = line.find(most, line.find("step_until") + 10) + most.size();
   return {Condition{line.substr(condition)}, count};
 }
@@ -85,7 +85,7 @@ DeployAction read_action(const std::string& line, std::uint32_t robots) {
     return Go{};
   }
   if (words.take_if("hold_at")) {
-    const HoldAt action{words.count("the step")};
+    const HoldAt action{words.count("the step", 0)};
     words.end();
     if (action.step == 0) throw WordsError{"step 0 cannot be held: it is under way from the start"};
     return action;

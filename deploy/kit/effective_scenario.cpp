@@ -39,4 +39,10 @@ std::string with_changes(const std::filesystem::path& scenario, const std::strin
   return text.str();
 }
 
+std::string with_settings(const std::string& changes, const runtime::Settings& settings) {
+  std::ostringstream text;
+  text << runtime::TomlDocument::parse(changes, "changes", settings).tree() << "\n";
+  return text.str();
+}
+
 }  // namespace caravan::deploy

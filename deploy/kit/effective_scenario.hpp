@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "runtime/config/setting.hpp"
+
 namespace caravan::deploy {
 
 /// The text of a scenario overridden by `changes`, itself TOML: tables key by key, everything else as a
@@ -14,5 +16,9 @@ namespace caravan::deploy {
 /// @throws runtime::StartError when either cannot be read
 [[nodiscard]] std::string with_changes(const std::filesystem::path& scenario, const std::string& changes,
                                        const std::string& controller = {});
+
+/// Such changes with more of them.
+/// @throws runtime::StartError as runtime::apply()
+[[nodiscard]] std::string with_settings(const std::string& changes, const runtime::Settings& settings);
 
 }  // namespace caravan::deploy

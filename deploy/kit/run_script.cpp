@@ -10,6 +10,7 @@
 
 #include <caravan/deployment.hpp>
 #include "deploy/kit/actions.hpp"
+#include "deploy/kit/effective_scenario.hpp"
 #include "deploy/kit/junit.hpp"
 #include "deploy/kit/quantities.hpp"
 #include "deploy/kit/script.hpp"
@@ -74,7 +75,7 @@ void print(const Verdict& verdict) {
 }  // namespace
 
 int run_script(const ScriptRequest& request, runtime::Loop& loop) {
-  const Script script = load_script(request.script);
+  const Script script = load_script(request.script, request.settings);
   if (request.check_only) {
     std::printf("%s: valid, %zu steps\n", request.script.c_str(), script.steps.size());
     return runtime::kDone;
@@ -87,7 +88,7 @@ int run_script(const ScriptRequest& request, runtime::Loop& loop) {
   bool good = true;
   {
     Deployment deployment{{.scenario = script.scenario,
-                           .changes = script.changes,
+                           .changes = with_settings(script.changes, script.settings),
                            .controller = request.controller,
                            .folder = folder,
                            .domain = request.domain,

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "runtime/bus/transport.hpp"
+#include "runtime/config/setting.hpp"
 #include "runtime/process/loop.hpp"
 
 namespace caravan::deploy {
@@ -17,6 +18,7 @@ struct ScriptRequest {
   std::optional<std::filesystem::path> out;    ///< for the logs; none: deployments/<script>-<time>
   std::optional<std::filesystem::path> junit;  ///< report file; none: junit.xml in the log folder
   std::string controller;                      ///< absolute path; empty: the scenario's
+  runtime::Settings settings = {};             ///< of the scenario, after the script's changes; checked
   std::optional<std::uint32_t> domain;         ///< none: a free one
   runtime::Transport transport = runtime::Transport::kSharedMemory;
   bool check_only = false;

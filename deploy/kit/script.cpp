@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "deploy/control/words.hpp"
 #include "deploy/kit/actions.hpp"
 #include "deploy/kit/effective_scenario.hpp"
 #include "runtime/config/toml_table.hpp"
@@ -23,9 +24,7 @@ struct Setting {
 };
 
 Setting setting_of(const Script& script) {
-  const auto text = with_changes(script.scenario, script.changes);
-  const auto scenario =
-      runtime::TomlDocument::parse(text, script.scenario.string() + " with the script's changes");
+  const auto scenario = scenario_of(script);
   Setting setting{runtime::read_robots(scenario).count, 0.032};
   scenario.table("world").read("step_s", setting.step_s, {0.001, 1.0});
   return setting;
@@ -61,7 +60,7 @@ std::optional<Condition> read_condition(runtime::TomlTable& table, const char* k
 std::optional<std::uint64_t> read_hold(runtime::TomlTable& table, const Setting& setting) {
   if (table.has("at_step") && table.has("at_s")) table.fail("at_s", "a step has at_step or at_s, not both");
   std::uint32_t step = 0;
-  table.read("at_step", step, {1, 4294967295.0});
+  table.read("at_step", step, {1, double{kHighestStep}});
   double time_s = 0.0;
   table.read("at_s", time_s, runtime::kTime_s);
   if (table.has("at_step")) return step;
@@ -94,10 +93,17 @@ ScriptStep read_step(runtime::TomlTable table, std::size_t number, const Setting
 
 }  // namespace
 
-Script load_script(const std::filesystem::path& file) {
+runtime::TomlDocument scenario_of(const Script& script, const std::string& controller) {
+  return runtime::TomlDocument::parse(with_changes(script.scenario, script.changes, controller),
+                                      script.scenario.string() + " with the script's changes",
+                                      script.settings);
+}
+
+Script load_script(const std::filesystem::path& file, const runtime::Settings& settings) {
   const toml::table tree = runtime::parse_toml(runtime::read_toml_file(file, "script"), file.string());
   runtime::TomlTable root{file.string(), "", &tree};
   Script script;
+  script.settings = settings;
   script.name = file.stem().string();
   root.read("name", script.name);
   std::string scenario;

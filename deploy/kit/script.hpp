@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <caravan/condition.hpp>
+#include "runtime/config/toml_table.hpp"
 
 namespace caravan::deploy {
 
@@ -25,7 +26,8 @@ struct ScriptStep {
 struct Script {
   std::string name;
   std::filesystem::path scenario;
-  std::string changes;  ///< TOML that overrides the scenario
+  std::string changes;         ///< TOML that overrides the scenario
+  runtime::Settings settings;  ///< override it after them
   double lease_s = 2.0;
   bool hold_start = false;
   std::uint32_t agents_per_process = 1;
@@ -33,7 +35,13 @@ struct Script {
 };
 
 /// Reads a script strictly: every key, action and condition is checked before anything starts.
+/// @param settings  for Script::settings
 /// @throws runtime::StartError `file:line: key: reason`
-[[nodiscard]] Script load_script(const std::filesystem::path& file);
+[[nodiscard]] Script load_script(const std::filesystem::path& file, const runtime::Settings& settings = {});
+
+/// The scenario with the changes and the settings.
+/// @param controller  as in with_changes()
+/// @throws runtime::StartError when it cannot be read
+[[nodiscard]] runtime::TomlDocument scenario_of(const Script& script, const std::string& controller = {});
 
 }  // namespace caravan::deploy

@@ -6,16 +6,6 @@
 #include "world_server/referee/sanitise.hpp"
 
 namespace caravan::experiment {
-caravan::Sensors to_sensors(const world::Senses& senses) {
-  return {.sonar_range_m = senses.sonar_range_m,
-          .sonar_age_s = senses.sonar_age_s,
-          .position = {senses.gps_x_m, senses.gps_y_m},
-          .yaw_rad = senses.compass_yaw_rad,
-          .left_wheel_rad = senses.left_wheel_rad,
-          .right_wheel_rad = senses.right_wheel_rad,
-          .holding = senses.holding};
-}
-
 world::Command to_command(const caravan::Outputs& outputs, double wheel_limit_mps, Refusals& refusals) {
   const world::Sanitised safe = world::sanitise(outputs.left_mps, outputs.right_mps, wheel_limit_mps);
   refusals.commands_refused += safe.refused ? 1U : 0U;

@@ -12,7 +12,6 @@
 /// Conversion between the values of the cores, as the topics do between processes. Byte strings are moved.
 namespace caravan::experiment {
 
-[[nodiscard]] caravan::Sensors to_sensors(const world::Senses& senses);
 /// @param wheel_limit_mps  the world's limit: faster speeds are clamped to it, speeds that are not finite
 /// become a stop
 /// @param refusals  its counters are increased

@@ -79,7 +79,7 @@ void Engine::look() {
 void Engine::sense() {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     inputs_[i].now = world_.now();
-    inputs_[i].sensors = to_sensors(world_.sense(static_cast<std::uint32_t>(i + 1)));
+    inputs_[i].sensors = world_.sense(static_cast<std::uint32_t>(i + 1));
     inputs_[i].destination = controllers_.destination_in_sight(inputs_[i].sensors, configs_[i]);
   }
 }

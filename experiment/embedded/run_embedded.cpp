@@ -82,20 +82,15 @@ int run_embedded(const RunRequest& request) {
     return end;
   };
   // The records are closed on the watch's thread while this one is kept inside the controller's step.
-  const runtime::CallWatch watch{
-      engine.calls(), [&](std::uint64_t call, runtime::CallWatch::Reason reason) {
-        RunEnd end = so_far();
-        const std::string who = engine.call_in_words(call);
-        if (reason == runtime::CallWatch::Reason::kStop) {
-          end.interrupted = true;
-          std::fprintf(stderr, "%s: the run is stopped before it returns\n", who.c_str());
-        } else {
-          end.failure = who + ": has not returned for " +
-                        std::to_string(runtime::CallWatch::kLongestCall.count()) + " s";
-          std::fprintf(stderr, "%s: the run ends here\n", end.failure.c_str());
-        }
-        std::_Exit(record.close(end));
-      }};
+  const runtime::CallWatch watch{engine.calls(), [&](std::uint64_t call, runtime::CallWatch::Reason reason) {
+                                   RunEnd end = so_far();
+                                   const std::string what =
+                                       engine.call_in_words(call) + ": " + to_text(reason);
+                                   std::fprintf(stderr, "%s\n", what.c_str());
+                                   end.interrupted = reason == runtime::CallWatch::Reason::kStop;
+                                   if (!end.interrupted) end.failure = what;
+                                   std::_Exit(record.close(end));
+                                 }};
   bool stopped = false;
   bool told = false;
   std::string failure;

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "experiment/metrics/metric_table.hpp"
+#include "experiment/metrics/provenance_json.hpp"
 #include "runtime/pure/overload.hpp"
 
 namespace caravan::experiment {
@@ -46,6 +47,7 @@ std::string metrics_json(const RunFacts& facts, const Result& result, const RunE
     if (metric.key.empty()) continue;
     member(json, metric.key) = metric.of_run == nullptr ? robots_json(result) : to_json(metric.of_run(run));
   }
+  json["provenance"] = provenance_json(facts.provenance);
   // Bytes that are not UTF-8, in texts of other participants, are replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

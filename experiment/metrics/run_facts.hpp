@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiment/metrics/observation.hpp"
+#include "runtime/provenance/provenance.hpp"
 
 namespace caravan::experiment {
 
@@ -19,6 +20,7 @@ struct RunFacts {
   std::uint32_t robots = 0;
   std::uint32_t items = 0;  ///< deliveries that end it; 0: only max_time ends it
   Time max_time{0};         ///< simulated
+  runtime::Provenance provenance = {};
 };
 
 /// Wall time spent in the parts of a run, seconds.

@@ -2,11 +2,12 @@
 // The extension module of the Python package caravan: scenarios, and the embedded engine.
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <atomic>
 #include <chrono>
 
-#include "experiment/python/scenario_text.hpp"
+#include "experiment/python/checked_scenario.hpp"
 #include "experiment/python/stepped_run.hpp"
 #include "runtime/config/toml_text.hpp"
 #include "runtime/controller/library.hpp"
@@ -116,17 +117,17 @@ PYBIND11_MODULE(_engine, module) {
   module.def(
       "read", [](const std::string& file) { return runtime::read_toml_file(file, "scenario file"); },
       "file"_a);
-  module.def("changed", &changed_text, "text"_a, "file"_a, "changes"_a, "changed_file"_a);
   module.def(
       "check",
-      [](const std::string& text, const std::string& file) {
-        const RunFacts facts = [&] {
+      [](const std::string& text, const std::string& file, const Changes& changes) {
+        const CheckedScenario checked = [&] {
           const py::gil_scoped_release unlocked;
-          return check_text(text, file);
+          return check_scenario(text, file, changes);
         }();
-        return py::make_tuple(facts.scenario, facts.robots, facts.items);
+        return py::make_tuple(checked.text, checked.facts.scenario, checked.facts.robots,
+                              checked.facts.items);
       },
-      "text"_a, "file"_a);
+      "text"_a, "file"_a, "changes"_a);
   py::class_<PythonRun>(module, "Run")
       .def(py::init([](const std::string& text, const std::string& file, const std::string& given,
                        const std::string& name) {

@@ -144,10 +144,25 @@ void Sweep::start(std::size_t index) {
   const PlannedRun& run = plan_.runs[index];
   const fs::path out = request_.folder / folder_of(run);
   fs::remove_all(out);  // remains of a run that did not end
-  const std::string name = run.mode + "_seed_" + std::to_string(run.seed);
-  children_.start(
-      name, {fs::read_symlink("/proc/self/exe"), "run", folder_.scenario_file(), "--engine", plan_.engine,
-             "--mode", run.mode, "--seed", std::to_string(run.seed), "--out", out, "--quiet"});
+  const std::string name =
+      (run.point.empty() ? "" : run.point + "_") + run.mode + "_seed_" + std::to_string(run.seed);
+  std::vector<std::string> words = {fs::read_symlink("/proc/self/exe"),
+                                    "run",
+                                    folder_.scenario_file(),
+                                    "--engine",
+                                    plan_.engine,
+                                    "--mode",
+                                    run.mode,
+                                    "--seed",
+                                    std::to_string(run.seed),
+                                    "--out",
+                                    out,
+                                    "--quiet"};
+  for (std::size_t axis = 0; axis < plan_.axes.size(); ++axis) {
+    words.emplace_back("--set");
+    words.push_back(plan_.axes[axis] + "=" + run.values[axis]);
+  }
+  children_.start(name, words);
   running_[name] = {index, std::chrono::steady_clock::now()};
   rows_[index].state = RunState::kRunning;
 }
@@ -179,7 +194,8 @@ void Sweep::settle(const runtime::Ended& ended) {
   if (row.state == RunState::kPending) return;
   ++ended_here_;
   ended_took_s_ += seconds_since(running.began);
-  std::string line = run.mode + " seed " + std::to_string(run.seed) + ": ";
+  std::string line =
+      (run.point.empty() ? "" : run.point + " ") + run.mode + " seed " + std::to_string(run.seed) + ": ";
   line += row.state == RunState::kDone ? "done" : "failed: " + row.reason;
   if (request_.quiet && row.state == RunState::kFailed) std::fprintf(stderr, "%s\n", line.c_str());
   progress_.say(request_.task ? line : progress_bar(count()) + "  " + line);

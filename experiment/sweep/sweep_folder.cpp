@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "experiment/metrics/text_file.hpp"
 #include "runtime/config/start_error.hpp"
@@ -51,17 +52,18 @@ void write_scenario(const fs::path& folder, const std::string& text) {
 }
 
 void check_runs(const fs::path& folder, const std::string& written, const SweepPlan& plan) {
+  std::set<std::string> planned;
+  for (const PlannedRun& run : plan.runs) planned.insert(folder_of(run));
   try {
     const Json sweep = Json::parse(written);
     for (const Json& run : sweep.at("runs")) {
+      if (planned.contains(run.at("folder").get<std::string>())) continue;
       const auto mode = run.at("mode").get<std::string>();
       const auto seed = run.at("seed").get<std::uint64_t>();
-      const bool planned = std::ranges::any_of(
-          plan.runs, [&](const PlannedRun& one) { return one.mode == mode && one.seed == seed; });
-      if (!planned) {
-        refuse(folder, "holds a sweep with other --modes or --seeds: " + mode + " " + std::to_string(seed) +
-                           " is not among these runs");
-      }
+      const auto point = run.value("point", std::string{});
+      refuse(folder, "holds a sweep with other --modes, --seeds, --set or --plan: " +
+                         (point.empty() ? "" : point + " ") + mode + " " + std::to_string(seed) +
+                         " is not among these runs");
     }
   } catch (const Json::exception&) {
     refuse(folder, "its sweep.json cannot be read");

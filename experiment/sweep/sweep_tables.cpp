@@ -70,25 +70,34 @@ std::string spread(std::vector<double> values, double unit, int decimals) {
 std::string sweep_json(const SweepPlan& plan, std::span<const RunRow> rows, SweepState state) {
   Json json = {{"scenario", plan.scenario}, {"engine", plan.engine},   {"modes", plan.modes},
                {"seeds", plan.seeds},       {"state", to_text(state)}, {"runs", Json::array()}};
+  if (!plan.axes.empty()) json["axes"] = plan.axes;
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
-    json["runs"].push_back({{"index", i},
-                            {"mode", plan.runs[i].mode},
-                            {"seed", plan.runs[i].seed},
-                            {"folder", folder_of(plan.runs[i]).string()},
-                            {"state", to_text(rows[i].state)},
-                            {"reason", rows[i].reason}});
+    Json run = {{"index", i},
+                {"mode", plan.runs[i].mode},
+                {"seed", plan.runs[i].seed},
+                {"folder", folder_of(plan.runs[i]).string()},
+                {"state", to_text(rows[i].state)},
+                {"reason", rows[i].reason}};
+    if (!plan.axes.empty()) {
+      run["point"] = plan.runs[i].point;
+      run["values"] = plan.runs[i].values;
+    }
+    json["runs"].push_back(std::move(run));
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string runs_csv(const SweepPlan& plan, std::span<const RunRow> rows) {
-  std::vector<std::string> header = {"index", "mode", "seed", "state", "reason", "digest"};
+  std::vector<std::string> header = {"index", "mode", "seed"};
+  header.insert(header.end(), plan.axes.begin(), plan.axes.end());
+  header.insert(header.end(), {"state", "reason", "digest"});
   for (const Metric& quantity : quantities()) header.emplace_back(quantity.column);
   std::string text = csv_row(header);
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
-    std::vector<std::string> fields = {
-        std::to_string(i),      plan.runs[i].mode, std::to_string(plan.runs[i].seed),
-        to_text(rows[i].state), rows[i].reason,    rows[i].digest};
+    const PlannedRun& run = plan.runs[i];
+    std::vector<std::string> fields = {std::to_string(i), run.mode, std::to_string(run.seed)};
+    fields.insert(fields.end(), run.values.begin(), run.values.end());
+    fields.insert(fields.end(), {to_text(rows[i].state), rows[i].reason, rows[i].digest});
     for (std::size_t column = 0; column < quantities().size(); ++column) {
       const bool known = column < rows[i].values.size() && rows[i].values[column].has_value();
       fields.push_back(known ? exact(*rows[i].values[column]) : "");

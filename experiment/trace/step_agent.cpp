@@ -84,11 +84,9 @@ class Candidate {
  private:
   [[noreturn]] void give_up(std::uint64_t call, runtime::CallWatch::Reason reason) const {
     const bool is_stop = reason == runtime::CallWatch::Reason::kStop;
-    std::fprintf(stderr, "controller %s, robot %u, step %llu: has not returned%s\n", name().c_str(),
+    std::fprintf(stderr, "controller %s, robot %u, step %llu: %s\n", name().c_str(),
                  unsigned{config_.id.value}, static_cast<unsigned long long>(call / 2 + 1),
-                 is_stop
-                     ? ", and this process is stopped"
-                     : (" for " + std::to_string(runtime::CallWatch::kLongestCall.count()) + " s").c_str());
+                 to_text(reason).c_str());
     std::_Exit(is_stop ? runtime::kDone : runtime::kCouldNotStart);
   }
 

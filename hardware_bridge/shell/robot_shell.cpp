@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "runtime/config/start_error.hpp"
+#include "runtime/process/data_folder.hpp"
 #include "runtime/process/run_process.hpp"
 
 namespace caravan::bridge {
@@ -130,8 +131,8 @@ void RobotShell::tell_whether_a_body_is_there() {
 void RobotShell::tell_ignored_commands() {
   for (const std::uint8_t number : robot_.unknown_commands()) {
     if (told_unknown_.insert(number).second)
-      spdlog::warn("the host sends command {}, which this robot does not know: ignored (docs/arcos.md)",
-                   number);
+      spdlog::warn("the host sends command {}, which this robot does not know: ignored, see {}", number,
+                   runtime::page("arcos.md"));
   }
   for (const std::uint8_t number : robot_.malformed_commands()) {
     if (told_malformed_.insert(number).second)

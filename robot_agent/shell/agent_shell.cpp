@@ -191,10 +191,8 @@ const HostedAgent* AgentShell::called_agent() const {
 void AgentShell::end_process(runtime::CallWatch::Reason reason) const {
   const bool is_stop = reason == runtime::CallWatch::Reason::kStop;
   const HostedAgent* agent = called_agent();
-  spdlog::critical("controller {}, robot {}: {} has not returned{}: this process ends", controllers_.name(),
-                   agent == nullptr ? 0 : agent->robot(), what_is_called(agent),
-                   is_stop ? " when it was told to stop"
-                           : fmt::format(" for {} s", runtime::CallWatch::kLongestCall.count()));
+  spdlog::critical("controller {}, robot {}: {} {}", controllers_.name(),
+                   agent == nullptr ? 0 : agent->robot(), what_is_called(agent), to_text(reason));
   spdlog::shutdown();
   std::_Exit(is_stop ? runtime::kDone : runtime::kFailed);  // a thread cannot be stopped otherwise
 }

@@ -12,8 +12,9 @@ namespace caravan::runtime {
 
 /// Decides which of two processes with one role for one robot, such as two agents or two bridges, stays.
 ///
-/// The one that started earlier by more than a second stays. If they started together, the one already in use
-/// stays, else the one with the lower GUID. The other sends nothing, for any of its robots, gives the first
+/// The one that started earlier stays; on different hosts, whose clocks may differ, it has to be earlier by
+/// more than a second. If they started together, the one already in use stays, else the one with the lower
+/// GUID. The other sends nothing, for any of its robots, gives the first
 /// one its lease and half a second to vanish (it may have been killed a moment ago), then ends.
 ///
 /// Only one of our processes that is discovered soon after the start makes this process yield. A process that
@@ -62,11 +63,11 @@ class Clash {
 
  private:
   [[nodiscard]] bool yields_to(const ParticipantId& other, const Identity& identity, bool in_use) const {
-    constexpr std::uint64_t kTogetherMs = 1000;
+    const std::uint64_t together_ms = identity.host == own_identity_.host ? 0 : 1000;
     const auto role = stated_role(identity);
     if (!role || role != stated_role(own_identity_)) return false;
-    if (identity.started_ms + kTogetherMs < own_identity_.started_ms) return true;
-    if (own_identity_.started_ms + kTogetherMs < identity.started_ms) return false;
+    if (identity.started_ms + together_ms < own_identity_.started_ms) return true;
+    if (own_identity_.started_ms + together_ms < identity.started_ms) return false;
     return !in_use && other < own_;
   }
 

@@ -17,6 +17,7 @@ constexpr std::array<std::string_view, 9> kRootKeys = {
 
 std::string at_line(const std::string& file, const toml::node* node) {
   if (node == nullptr || node->source().begin.line == 0) return file;
+  if (node->source().path) return *node->source().path;  // of a Setting
   return file + ":" + std::to_string(node->source().begin.line);
 }
 
@@ -108,7 +109,48 @@ bool TomlTable::has(std::string_view key) const { return table_ != nullptr && ta
 
 void TomlTable::fail_at(const toml::node* node, std::string_view key, const std::string& reason) const {
   const std::string full = name_.empty() ? std::string{key} : name_ + "." + std::string{key};
-  throw StartError{at_line(file_, node) + ": " + full + ": " + reason};
+  const std::string place = at_line(file_, node);
+  const bool is_named = node != nullptr && node->source().path && place.find(full + "=") != std::string::npos;
+  throw StartError{place + ": " + (is_named ? "" : full + ": ") + reason};
+}
+
+std::string TomlTable::place_of(std::string_view key) const {
+  return at_line(file_, table_ == nullptr ? nullptr : table_->get(key));
+}
+
+std::string TomlTable::value(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return "";
+  std::string text = value_of_node(*node);
+  if (text.empty()) fail_at(node, key, "must be a number, a text, true or false, or a list of these");
+  return text;
+}
+
+std::vector<std::string> TomlTable::values_in(const toml::node& node, std::string_view key) const {
+  const toml::array* array = node.as_array();
+  if (array == nullptr || array->empty()) fail_at(&node, key, "must be a list of at least one value");
+  std::vector<std::string> values;
+  for (const toml::node& element : *array) {
+    values.push_back(value_of_node(element));
+    if (values.back().empty())
+      fail_at(&element, key, "must be a list of numbers, texts, true or false, or lists");
+  }
+  return values;
+}
+
+std::vector<std::string> TomlTable::values(std::string_view key) {
+  const toml::node* node = find(key);
+  return node == nullptr ? std::vector<std::string>{} : values_in(*node, key);
+}
+
+std::vector<std::vector<std::string>> TomlTable::rows(std::string_view key) {
+  std::vector<std::vector<std::string>> rows;
+  const toml::node* node = find(key);
+  if (node == nullptr) return rows;
+  const toml::array* array = node->as_array();
+  if (array == nullptr || array->empty()) fail_at(node, key, "must be a list of at least one list of values");
+  for (const toml::node& element : *array) rows.push_back(values_in(element, key));
+  return rows;
 }
 
 void TomlTable::fail(std::string_view key, const std::string& reason) const {
@@ -251,12 +293,13 @@ TomlDocument::TomlDocument(std::string file, std::shared_ptr<const toml::table> 
   }
 }
 
-TomlDocument TomlDocument::load(const std::filesystem::path& file) {
-  return parse(read_toml_file(file, "scenario file"), file.string());
+TomlDocument TomlDocument::load(const std::filesystem::path& file, const Settings& settings) {
+  return parse(read_toml_file(file, "scenario file"), file.string(), settings);
 }
 
-TomlDocument TomlDocument::parse(std::string_view text, std::string name) {
-  auto tree = std::make_shared<const toml::table>(parse_toml(text, name));
+TomlDocument TomlDocument::parse(std::string_view text, std::string name, const Settings& settings) {
+  auto tree = std::make_shared<toml::table>(parse_toml(text, name));
+  for (const Setting& setting : settings) apply(setting, *tree);
   return {std::move(name), std::move(tree)};
 }
 

@@ -14,14 +14,8 @@
 #include <variant>
 #include <vector>
 
+#include "runtime/config/setting.hpp"
 #include "runtime/config/start_error.hpp"
-
-namespace toml {
-inline namespace v3 {
-class table;
-class node;
-}  // namespace v3
-}  // namespace toml
 
 namespace caravan::runtime {
 
@@ -41,7 +35,8 @@ inline constexpr Range kLength_m{1e-9, 1e6};
 inline constexpr Range kPlace_m{-1e6, 1e6};
 
 /// One table of a scenario, read strictly. A value of the wrong type or out of range, and after reading any
-/// key that no read named, is a StartError `file:line: table.key: reason`. A missing key leaves the default.
+/// key that no read named, is a StartError `file:line: table.key: reason`, and for a key of a Setting
+/// `origin: reason`. A missing key leaves the default.
 class TomlTable {
  public:
   TomlTable(std::string file, std::string name, const toml::table* table);
@@ -65,7 +60,17 @@ class TomlTable {
   /// @throws StartError for a value of another kind
   [[nodiscard]] std::map<std::string, Value> rest();
 
+  /// A value of any kind as Setting::value; empty when the key is absent. @throws StartError for a table or
+  /// date
+  [[nodiscard]] std::string value(std::string_view key);
+  /// A list of such values. @throws StartError when it has none
+  [[nodiscard]] std::vector<std::string> values(std::string_view key);
+  /// A list of lists of such values. @throws StartError when it or one of its lists has none
+  [[nodiscard]] std::vector<std::vector<std::string>> rows(std::string_view key);
+
   [[nodiscard]] bool has(std::string_view key) const;
+  /// `file:line` of the key, for messages.
+  [[nodiscard]] std::string place_of(std::string_view key) const;
   /// The sub-table `[name.key]`; empty when absent.
   [[nodiscard]] TomlTable table(std::string_view key);
   /// The array of tables `[[name.key]]`; empty when absent.
@@ -78,6 +83,7 @@ class TomlTable {
 
  private:
   const toml::node* find(std::string_view key);
+  [[nodiscard]] std::vector<std::string> values_in(const toml::node& node, std::string_view key) const;
   [[noreturn]] void fail_at(const toml::node* node, std::string_view key, const std::string& reason) const;
 
   std::string file_;
@@ -91,9 +97,10 @@ class TomlDocument {
  public:
   /// @throws StartError when the file cannot be read or parsed, or has a root key or table that no scenario
   /// has
-  static TomlDocument load(const std::filesystem::path& file);
+  /// @param settings  applied in this order
+  static TomlDocument load(const std::filesystem::path& file, const Settings& settings = {});
   /// The same from text; messages name it `name`.
-  static TomlDocument parse(std::string_view text, std::string name);
+  static TomlDocument parse(std::string_view text, std::string name, const Settings& settings = {});
 
   [[nodiscard]] TomlTable root() const;
   [[nodiscard]] TomlTable table(std::string_view name) const;

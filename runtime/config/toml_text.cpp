@@ -105,4 +105,13 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
   }
 }
 
+toml::table parse_toml_line(std::string_view line, const std::string& origin) {
+  DotCounter{line, origin}.run();
+  try {
+    return toml::parse(line, std::string{origin});
+  } catch (const toml::parse_error& wrong) {
+    throw StartError{origin + ": is not a value of TOML: " + std::string{wrong.description()}};
+  }
+}
+
 }  // namespace caravan::runtime

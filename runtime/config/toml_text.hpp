@@ -23,4 +23,9 @@ namespace caravan::runtime {
 /// @throws StartError `name:line: reason`
 [[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& name);
 
+/// The same for `key = value`, written in one line somewhere else than in a file. The nodes of the tree have
+/// `origin` as the path of their source.
+/// @throws StartError `origin: reason`
+[[nodiscard]] toml::table parse_toml_line(std::string_view line, const std::string& origin);
+
 }  // namespace caravan::runtime

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <string>
 #include <thread>
 
 namespace caravan::runtime {
@@ -99,5 +100,11 @@ class CallWatch {
   std::condition_variable_any ended_;
   std::jthread thread_;  // the last member: it ends first
 };
+
+/// What is said of a call that the watch has given up. Follows the name of what was called.
+[[nodiscard]] inline std::string to_text(CallWatch::Reason reason) {
+  if (reason == CallWatch::Reason::kStop) return "has not returned, and this process is stopped";
+  return "has not returned for " + std::to_string(CallWatch::kLongestCall.count()) + " s";
+}
 
 }  // namespace caravan::runtime

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <utility>
 
 namespace caravan::runtime {
@@ -78,23 +79,37 @@ void on_exit() {
   std::_Exit(code_of_exit);
 }
 
-/// Room for the handler when the stack is full: of the thread that calls.
-void make_room_for_handler() {
-  static std::array<char, std::size_t{64} * 1024> room;
-  stack_t present{};
-  if (sigaltstack(nullptr, &present) != 0 || (present.ss_flags & SS_DISABLE) == 0) return;
-  stack_t stack{};
-  stack.ss_sp = room.data();
-  stack.ss_size = room.size();
-  sigaltstack(&stack, nullptr);
-}
+/// Room for the handler when its thread's own stack is full. Each thread needs one of its own.
+class HandlerStack {
+ public:
+  HandlerStack() {
+    stack_t present{};
+    if (sigaltstack(nullptr, &present) != 0 || (present.ss_flags & SS_DISABLE) == 0) return;  // has one
+    room_ = std::make_unique<Room>();
+    stack_t ours{};
+    ours.ss_sp = room_->data();
+    ours.ss_size = room_->size();
+    sigaltstack(&ours, nullptr);
+  }
+  ~HandlerStack() {
+    if (!room_) return;
+    stack_t none{};
+    none.ss_flags = SS_DISABLE;
+    sigaltstack(&none, nullptr);
+  }
+  HandlerStack(const HandlerStack&) = delete;
+  HandlerStack& operator=(const HandlerStack&) = delete;
+
+ private:
+  using Room = std::array<char, std::size_t{64} * 1024>;
+  std::unique_ptr<Room> room_;
+};
 
 }  // namespace
 
 void name_crashing_controllers(int exit_code) {
   code_of_exit = exit_code;
   static const bool is_done = [] {
-    make_room_for_handler();
     for (std::size_t i = 0; i < kFaults.size(); ++i) {
       struct sigaction action {};
       action.sa_handler = on_fault;
@@ -106,7 +121,10 @@ void name_crashing_controllers(int exit_code) {
   (void)is_done;
 }
 
-InsideController::InsideController(const char* who, std::uint64_t step) { inside = {who, step}; }
+InsideController::InsideController(const char* who, std::uint64_t step) {
+  static const thread_local HandlerStack stack;
+  inside = {who, step};
+}
 
 InsideController::~InsideController() { inside = {}; }
 

@@ -7,7 +7,8 @@ namespace caravan::runtime {
 
 /// From now on a controller that ends the process while it is called is named on stderr, in one line: after a
 /// signal that a fault raises (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT), which then takes its course, and
-/// when it calls exit(), which ends the process with `exit_code`, because that is no success.
+/// when it calls exit(), which ends the process with `exit_code`, because that is no success. On every
+/// thread, also when its stack is full.
 ///
 /// Not caught are _exit(), quick_exit(), SIGKILL, and faults on threads of the controller's own.
 void name_crashing_controllers(int exit_code);

@@ -41,13 +41,29 @@ std::set<std::string> mapped_by(const fs::path& process, const fs::path& folder 
   return names;
 }
 
-std::set<std::string> mapped_by_the_living(const fs::path& folder = kFolder) {
+/// Files in `folder` that a process has open.
+std::set<std::string> opened_by(const fs::path& process, const fs::path& folder) {
+  std::set<std::string> names;
+  std::error_code error;
+  for (const auto& descriptor : fs::directory_iterator{process / "fd", error}) {
+    const fs::path file = fs::read_symlink(descriptor.path(), error);
+    if (!error && file.parent_path() == folder) names.insert(file.filename());
+  }
+  return names;
+}
+
+/// DDS files in `folder` that a running process has open or mapped.
+///
+/// A starting process opens a file, maps it, and closes it. Since open files are read before mapped ones, a
+/// file that existed before this call is seen at each of these steps.
+std::set<std::string> used_by_the_living(const fs::path& folder = kFolder) {
   std::set<std::string> names;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator{"/proc", error}) {
     const std::string name = entry.path().filename();
     if (!std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; }))
       continue;
+    names.merge(opened_by(entry.path(), folder));
     names.merge(mapped_by(entry.path(), folder));
   }
   return names;
@@ -77,14 +93,20 @@ std::string segment_of(std::string name) {
   return name;
 }
 
+/// Removes those of our files that no running process uses. The list of files is made first: a process that
+/// starts meanwhile creates others.
 template <typename Ours>
-void remove_unused(Ours is_ours) {
-  const std::set<std::string> in_use = mapped_by_the_living();
+void remove_unused(Ours is_ours, const fs::path& folder = kFolder) {
+  std::vector<std::string> names;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator{kFolder, error}) {
+  for (const auto& entry : fs::directory_iterator{folder, error}) {
     const std::string name = entry.path().filename();
-    if (!is_ours(name) || in_use.contains(name) || in_use.contains(without_lock_mark(name))) continue;
-    fs::remove(entry.path(), error);
+    if (is_ours(name)) names.push_back(name);
+  }
+  if (names.empty()) return;
+  const std::set<std::string> in_use = used_by_the_living(folder);
+  for (const std::string& name : names) {
+    if (!in_use.contains(name) && !in_use.contains(without_lock_mark(name))) fs::remove(folder / name, error);
   }
 }
 
@@ -144,13 +166,13 @@ void SharedMemory::remove_leftovers() const {
 }
 
 bool has_living_ports(std::uint32_t domain) {
-  const std::set<std::string> in_use = mapped_by_the_living();
+  const std::set<std::string> in_use = used_by_the_living();
   return std::any_of(in_use.begin(), in_use.end(),
                      [&](const std::string& name) { return is_of_a_port_of(name, domain); });
 }
 
 std::vector<LeftFile> left_by_the_dead(const fs::path& folder) {
-  const std::set<std::string> in_use = mapped_by_the_living(folder);
+  const std::set<std::string> in_use = used_by_the_living(folder);
   std::vector<LeftFile> left;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator{folder, error}) {
@@ -173,8 +195,8 @@ std::size_t remove_left_by_the_dead(const fs::path& folder) {
   return removed;
 }
 
-void remove_dead_ports(std::uint32_t domain) {
-  remove_unused([domain](const std::string& name) { return is_of_a_port_of(name, domain); });
+void remove_dead_ports(std::uint32_t domain, const fs::path& folder) {
+  remove_unused([domain](const std::string& name) { return is_of_a_port_of(name, domain); }, folder);
 }
 
 }  // namespace caravan::runtime

@@ -11,12 +11,12 @@
 
 namespace caravan::runtime {
 
-/// Whether a running process, of any user, has a DDS port of the domain mapped: the domain is in use.
+/// Whether a running process, of any user, has a DDS port of the domain open or mapped: the domain is in use.
 [[nodiscard]] bool has_living_ports(std::uint32_t domain);
-/// Removes the domain's DDS port files that no running process has mapped. A process that is killed while it
-/// creates a port leaves one at which every later participant of the domain would hang.
-/// @pre no process is starting in the domain
-void remove_dead_ports(std::uint32_t domain);
+/// Removes the domain's DDS port files that no running process has open or mapped. A process that is killed
+/// while it creates a port leaves one at which every later participant of the domain would hang. Processes may
+/// start in the domain meanwhile.
+void remove_dead_ports(std::uint32_t domain, const std::filesystem::path& folder = "/dev/shm");
 
 struct LeftFile {
   std::string name;  ///< file name in the folder
@@ -24,7 +24,7 @@ struct LeftFile {
 };
 
 /// DDS files, of any domain or program, that the present user may remove and that no running process has
-/// mapped or locked, including containers. Files created within the last minute are skipped: a process may be
+/// open, mapped or locked, including containers. Files created within the last minute are skipped: a process may be
 /// starting.
 [[nodiscard]] std::vector<LeftFile> left_by_the_dead(const std::filesystem::path& folder = "/dev/shm");
 /// Removes these files. @return how many
@@ -34,7 +34,7 @@ std::size_t remove_left_by_the_dead(const std::filesystem::path& folder = "/dev/
 ///
 /// A killed process cannot remove its DDS segments, so they are noted while it is running. Only files of the
 /// run's domain and of noted processes are removed, and of these only those that no running process has
-/// mapped; of segments, only those that their creator no longer holds.
+/// open or mapped; of segments, only those that their creator no longer holds.
 class SharedMemory {
  public:
   explicit SharedMemory(std::uint32_t domain) : domain_{domain} {}

@@ -25,6 +25,7 @@ ALLOWED = {
     "runtime/config": [STD, TOML, "runtime/pure"],
     "runtime/scenario": [STD, "runtime/config", "runtime/pure"],
     "runtime/trace": [STD, "runtime/config"],
+    "runtime/provenance": [STD, POSIX, "runtime/config", "runtime/process/version.hpp"],
     "runtime/process": [STD, POSIX, LOG, CLI, "runtime/config", "runtime/pure", "runtime/bus/transport.hpp"],
     "runtime/bus": [STD, POSIX, LOG, DDS, ROBOT_TYPES, "idl", "runtime/config", "runtime/pure"],
     "runtime/host": [STD, POSIX, "runtime/bus", "runtime/config"],
@@ -37,7 +38,7 @@ ALLOWED = {
     "world_server/physics": [STD, ODE, *CONFIG, "world_server"],
     "world_server/config": [STD, *CONFIG, "world_server"],
     "world_server/shell": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "world_server"],
-    "world_server": [STD, *CONFIG, "world_server"],
+    "world_server": [STD, CONTROLLER, *CONFIG, "world_server"],
     "world_server/main.cpp": [*PROCESS, "world_server"],
     "radio_emulator/medium": [STD, "runtime/pure"],
     "radio_emulator/config": [STD, *CONFIG, "radio_emulator/medium"],
@@ -46,7 +47,7 @@ ALLOWED = {
     "hardware_bridge/config": [STD, *CONFIG, "hardware_bridge/core"],
     "hardware_bridge": [*PROCESS, DDS, ROBOT_TYPES, "hardware_bridge"],
     "experiment": [STD, "runtime/config", "runtime/process", "runtime/bus/transport.hpp", "experiment/metrics"],
-    "experiment/metrics": [STD, POSIX, JSON, CONTROLLER, "runtime/config", "runtime/pure"],
+    "experiment/metrics": [STD, POSIX, JSON, CONTROLLER, "runtime/config", "runtime/pure", "runtime/provenance"],
     "experiment/check": [STD, EIGEN, *CONFIG, "experiment/metrics", "robot_agent/config", "robot_agent/core", "world_server/config",
                          "world_server/types.hpp", "radio_emulator/config", "radio_emulator/medium", "hardware_bridge/config"],
     "experiment/embedded": [STD, EIGEN, CONTROLLER, *CONFIG, "runtime/process", "runtime/trace", "experiment/metrics",
@@ -56,7 +57,7 @@ ALLOWED = {
                           "robot_agent/controller", "world_server"],
     "experiment/trace": [STD, EIGEN, JSON, CONTROLLER, *CONFIG, "runtime/trace", "runtime/process", "experiment/metrics",
                          "experiment/run_request.hpp", "robot_agent/config", "robot_agent/controller", "runtime/controller"],
-    "experiment/sweep": [STD, POSIX, JSON, "runtime/config", "runtime/process", "runtime/host/children.hpp", "experiment/metrics"],
+    "experiment/sweep": [STD, POSIX, JSON, TOML, "runtime/config", "runtime/pure", "runtime/process", "runtime/host/children.hpp", "experiment/metrics"],
     "experiment/report": [STD, POSIX, "runtime/config", "runtime/process"],
     "deploy/observer": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "experiment/metrics"],
     "deploy/launcher": [*PROCESS, DDS, TRUTH_TYPES, "deploy/observer", "experiment/metrics", "experiment/run_request.hpp"],
@@ -67,7 +68,7 @@ ALLOWED = {
     "deploy/control": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES],
     "deploy/controllers": [STD, CONTROLLER],
     "deploy/doctor": [STD, POSIX, "runtime"],
-    "deploy/cli": [STD, POSIX, EIGEN, TOML, CLI, *CONFIG, "runtime/process", "runtime/host", "runtime/bus/transport.hpp", "deploy",
+    "deploy/cli": [STD, POSIX, EIGEN, TOML, CLI, *CONFIG, "runtime/controller", "runtime/process", "runtime/host", "runtime/provenance", "runtime/bus/transport.hpp", "deploy",
                    "experiment", "robot_agent/config", "robot_agent/controller", "robot_agent/core", "world_server", "radio_emulator/config",
                    "radio_emulator/medium", "hardware_bridge/config"],
 }
@@ -86,7 +87,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.M)
 NAMES_FOR_ROBOTS = re.compile(r"idl/(robot|clock)_types\.hpp")
 NAMES_OF_TRUTH = re.compile(r"idl/(world|control)_types\.hpp")
 GENERATED_HEADERS = re.compile(r"(robot|stamp|clock|world|control)(PubSubTypes)?\.h")
-POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|dlfcn|poll|termios|sched|pthread|signal|dirent|spawn|netdb|ifaddrs|arpa/.*|netinet/.*|pwd)\.h$")
+POSIX_HEADERS = re.compile(r"(sys/.*|unistd|fcntl|dlfcn|poll|termios|sched|pthread|signal|dirent|spawn|netdb|ifaddrs|gnu/libc-version|arpa/.*|netinet/.*|pwd)\.h$")
 OUTSIDE = {"caravan": CONTROLLER, "Eigen": EIGEN, "ode": ODE, "fastdds": DDS, "fastrtps": DDS, "fastcdr": DDS, "toml++": TOML,
            "nlohmann": JSON, "spdlog": LOG, "CLI": CLI, "gtest": GTEST, "pybind11": PYBIND}
 

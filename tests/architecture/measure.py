@@ -16,8 +16,8 @@ from check_includes import ALLOWED, INCLUDE, rule_for
 
 # An example of each kind: a pattern of its declarations, readers, conversions and rows in tables, which no other has.
 EXEMPLARS = {
-    # On the wire and in the world; in a controller's Sensors; in those of the paper's agent.
-    "sensor (the compass)": r"compass_yaw_rad|compass: counter-clockwise|yaw_WB_rad = sensors\.yaw_rad",
+    # On the wire; in a controller's Sensors, which the world fills; in those of the paper's agent.
+    "sensor (the compass)": r"compass_yaw_rad|compass: counter-clockwise|yaw_WB_rad = sensors\.yaw_rad|sensors\.yaw_rad = seen|append\(bytes_, sensors\.yaw_rad",
     # PropagationConfig has it; `link` is what a model returns, and `loss_probability()` is a request's, not the model's.
     "radio model (loss by chance)": r"(?<!link)\.loss_probability\b(?!\()|double loss_probability =|`loss_probability`",
     "metric (contacts with something static)": r"robot_static",

@@ -45,7 +45,7 @@ RecordedRun record_run(std::size_t robots, std::size_t steps) {
       const world::Pose& pose = step.poses[robot - 1];
       step.stations.push_back({robot, pose.x_m, pose.y_m});
       step.inputs.push_back({.now = world.now(),
-                             .sensors = experiment::to_sensors(world.sense(robot)),
+                             .sensors = world.sense(robot),
                              .heard = std::move(heard[robot - 1]),
                              .destination = {}});
       heard[robot - 1].clear();

@@ -46,12 +46,11 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-Senses World::sense(std::uint32_t robot) {
-  Senses senses;
-  senses.sonar_range_m.fill(std::numeric_limits<double>::infinity());
-  senses.gps_x_m = impl_->poses[robot - 1].x_m;
-  senses.gps_y_m = impl_->poses[robot - 1].y_m;
-  return senses;
+Sensors World::sense(std::uint32_t robot) {
+  Sensors sensors;
+  sensors.sonar_range_m.fill(std::numeric_limits<double>::infinity());
+  sensors.position = {impl_->poses[robot - 1].x_m, impl_->poses[robot - 1].y_m};
+  return sensors;
 }
 std::span<const Pose> World::poses() const { return impl_->poses; }
 void World::advance(std::span<const std::optional<Command>> /*commands*/) { ++impl_->step; }

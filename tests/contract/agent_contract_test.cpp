@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Fault{"other_order", "P52AnswersWith"}, Fault{"says_no_report", "P52AnswersWith"},
                       Fault{"late", "P53"}, Fault{"no_radio", "P54"}, Fault{"no_wait", "P56WaitsASecond"},
                       Fault{"always_waits", "P56AnswersAsSoon"}, Fault{"two_worlds", "P62"},
-                      Fault{"not_finite", "P65"}, Fault{"no_gaps", "P52StepsOnce"}),
+                      Fault{"not_finite", "P65"}, Fault{"no_gaps", "P52StepsOnce"}, Fault{"busy", "P66"}),
     [](const auto& fault) { return fault.param.name; });
 
 TEST_F(AgentContractSuite, HasACaseForEveryRuleOrTheReasonWhyNot) {

@@ -82,14 +82,14 @@ class Hardware {
 
  private:
   void sense() {
-    const world::Senses senses = world_.sense(1);
-    robot_.sense({.sonar_range_m = senses.sonar_range_m,
-                  .yaw_WB_rad = senses.compass_yaw_rad,
-                  .left_wheel_rad = senses.left_wheel_rad,
-                  .right_wheel_rad = senses.right_wheel_rad,
-                  .holding = senses.holding},
+    const Sensors sensors = world_.sense(1);
+    robot_.sense({.sonar_range_m = sensors.sonar_range_m,
+                  .yaw_WB_rad = sensors.yaw_rad,
+                  .left_wheel_rad = sensors.left_wheel_rad,
+                  .right_wheel_rad = sensors.right_wheel_rad,
+                  .holding = sensors.holding},
                  now_);
-    gps_.sense({senses.gps_x_m, senses.gps_y_m}, now_);
+    gps_.sense({sensors.position.x_m, sensors.position.y_m}, now_);
     const std::string lines = gps_.take_lines(now_);
     bridge_.gps_says({reinterpret_cast<const std::uint8_t*>(lines.data()), lines.size()}, now_);
   }

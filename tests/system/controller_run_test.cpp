@@ -20,6 +20,7 @@ using testing::HasSubstr;
 
 const fs::path kLibraries = fs::path{CARAVAN_BIN_DIR}.parent_path() / "tests/controllers";
 const fs::path kPython = fs::path{CARAVAN_SOURCE_DIR} / "tests/controllers/python";
+const std::string kHangs = "hangs";  // a fault of the controller `faulty`
 
 class ControllerRun : public testing::Test {
  protected:
@@ -111,11 +112,21 @@ TEST_F(ControllerRun, NamesAControllerThatCrashes) {
     EXPECT_EQ(ended.exit_code, 128 + SIGSEGV);
     EXPECT_THAT(ended.said, HasSubstr("controller faulty, robot 2, step 600: ends the process by SIGSEGV"));
   }
-  const Ended dds =
-      run("at_step = 40\nfault = \"crashes\"\n", "dds", "dds", {"--controller", kLibraries / "faulty.so"});
-  EXPECT_EQ(dds.exit_code, 0) << dds.said;
-  EXPECT_THAT(log_of("dds", "robot_agent_2"),
-              HasSubstr("controller faulty, robot 2, step 40: ends the process by SIGSEGV"));
+}
+
+/// An agent steps on a thread of DDS; several in a process step on another one of their own.
+TEST_F(ControllerRun, NamesAControllerThatCrashesOnAThreadOfDds) {
+  const std::vector<std::vector<std::string>> runs = {{"crashes", "1", "robot_agent_2"},
+                                                      {"overflows", "1", "robot_agent_2"},
+                                                      {"overflows", "2", "robot_agent_1-2"}};
+  for (const auto& one : runs) {
+    const std::string name = one[0] + one[1];
+    const Ended dds = run("at_step = 40\nfault = \"" + one[0] + "\"\n", "dds", name,
+                          {"--controller", kLibraries / "faulty.so", "--agents-per-process", one[1]});
+    EXPECT_EQ(dds.exit_code, 0) << dds.said;
+    EXPECT_THAT(log_of(name, one[2]),
+                HasSubstr("controller faulty, robot 2, step 40: ends the process by SIGSEGV"));
+  }
 }
 
 TEST_F(ControllerRun, IsInterruptedAtOnceWhileAStepDoesNotReturn) {
@@ -128,30 +139,53 @@ TEST_F(ControllerRun, IsInterruptedAtOnceWhileAStepDoesNotReturn) {
   ASSERT_TRUE(process.prints("faulty hangs", test::kPatience)) << process.output();
   process.signal(SIGINT);
   EXPECT_EQ(process.wait(test::kPatience), 130) << process.output();
-  EXPECT_THAT(process.output(),
-              HasSubstr("controller faulty, robot 2, step 40: the run is stopped before it returns"));
+  EXPECT_THAT(
+      process.output(),
+      HasSubstr("controller faulty, robot 2, step 40: has not returned, and this process is stopped"));
   const auto metrics = nlohmann::json::parse(read_file(folder_ / "out/metrics.json"));
   EXPECT_EQ(metrics["ended"], true);
 }
 
+TEST_F(ControllerRun, IsInterruptedAtOnceWhileAConstructorDoesNotReturn) {
+  const fs::path file = folder_ / "mine.toml";
+  test::write_file(file, read_file(test::scenario("small.toml")) +
+                             "\n[controller]\nfault = \"constructor_hangs\"\nlibrary = \"" +
+                             (kLibraries / "faulty.so").string() + "\"\n");
+  // `check` and `step-agent` leave the signal to the system, `run` and `sweep` do not.
+  for (const std::string command : {"run", "sweep", "check"}) {
+    std::vector<std::string> words{"caravan", command, file};
+    if (command != "check") words.insert(words.end(), {"--out", folder_ / "out"});
+    Process process{words, folder_ / (command + ".log")};
+    ASSERT_TRUE(process.prints("faulty hangs", test::kPatience)) << process.output();
+    process.signal(SIGINT);
+    EXPECT_EQ(process.wait(test::kPatience), 130) << process.output();
+    const char* said = command == "check" ? "" : "stopped while it tried the controllers";
+    EXPECT_THAT(process.output(), HasSubstr(said));
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+  }
+}
+
 TEST_F(ControllerRun, EndsAnEmbeddedRunThatAControllerBreaksAndClosesItsRecords) {
-  for (const char* fault : {"throws", "nan", "hangs"}) {
-    const Ended ended = run("at_step = 40\nfault = \"" + std::string{fault} + "\"\n", "embedded", fault,
+  for (const std::string& fault : {std::string{"throws"}, std::string{"nan"}, kHangs}) {
+    const Ended ended = run("at_step = 40\nfault = \"" + fault + "\"\n", "embedded", fault,
                             {"--controller", kLibraries / "faulty.so"});
     EXPECT_EQ(ended.exit_code, 1) << ended.said;
     EXPECT_THAT(ended.said, HasSubstr("controller faulty, robot 2, step 40"));
+    EXPECT_THAT(ended.said, HasSubstr(fault == kHangs ? ": has not returned for 10 s\n" : ""));
     EXPECT_EQ(ended.metrics["ended"], true);
     EXPECT_EQ(ended.metrics["completed"], false);
   }
 }
 
 TEST_F(ControllerRun, GoesOnOverDdsWithoutTheRobotWhoseControllerFailed) {
-  for (const char* fault : {"throws", "nan", "hangs"}) {
-    const Ended ended = run("at_step = 40\nfault = \"" + std::string{fault} + "\"\n", "dds", fault,
+  for (const std::string& fault : {std::string{"throws"}, std::string{"nan"}, kHangs}) {
+    const Ended ended = run("at_step = 40\nfault = \"" + fault + "\"\n", "dds", fault,
                             {"--controller", kLibraries / "faulty.so"});
     EXPECT_EQ(ended.exit_code, 0) << ended.said;
     EXPECT_EQ(ended.metrics["disturbed"], true);
     EXPECT_THAT(log_of(fault, "robot_agent_2"), HasSubstr("controller faulty, robot 2"));
+    EXPECT_THAT(log_of(fault, "robot_agent_2"),
+                HasSubstr(fault == kHangs ? ": a step has not returned for 10 s\n" : ""));
     EXPECT_EQ(ended.metrics["sim_time_s"], 20.0);
   }
 }

@@ -4,15 +4,15 @@
 namespace caravan::world {
 namespace msg = caravan_interfaces::msg;
 
-void to_wire(const Senses& senses, msg::SensorFrame& frame) {
-  frame.sonar_range_m(senses.sonar_range_m);
-  frame.sonar_age_s(senses.sonar_age_s);
-  frame.gps_x_m(senses.gps_x_m);
-  frame.gps_y_m(senses.gps_y_m);
-  frame.compass_yaw_rad(senses.compass_yaw_rad);
-  frame.left_wheel_rad(senses.left_wheel_rad);
-  frame.right_wheel_rad(senses.right_wheel_rad);
-  frame.holding(senses.holding);
+void to_wire(const Sensors& sensors, msg::SensorFrame& frame) {
+  frame.sonar_range_m(sensors.sonar_range_m);
+  frame.sonar_age_s(sensors.sonar_age_s);
+  frame.gps_x_m(sensors.position.x_m);
+  frame.gps_y_m(sensors.position.y_m);
+  frame.compass_yaw_rad(sensors.yaw_rad);
+  frame.left_wheel_rad(sensors.left_wheel_rad);
+  frame.right_wheel_rad(sensors.right_wheel_rad);
+  frame.holding(sensors.holding);
 }
 
 void to_wire(const World& world, std::span<const std::uint32_t> members, msg::WorldTruth& truth) {

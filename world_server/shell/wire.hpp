@@ -12,7 +12,7 @@
 namespace caravan::world {
 
 /// Converts the world's values to the wire. The caller sets `stamp` and `session`.
-void to_wire(const Senses& senses, caravan_interfaces::msg::SensorFrame& frame);
+void to_wire(const Sensors& sensors, caravan_interfaces::msg::SensorFrame& frame);
 void to_wire(const World& world, std::span<const std::uint32_t> members,
              caravan_interfaces::msg::WorldTruth& truth);
 

@@ -97,5 +97,7 @@ class Run:
         return numpy.array(self._run.events(first), EVENT)
 
     def metrics(self):
-        """The content of metrics.json so far."""
-        return json.loads(self._run.metrics())
+        """The content of metrics.json so far, without `provenance`."""
+        metrics = json.loads(self._run.metrics())
+        del metrics["provenance"]
+        return metrics

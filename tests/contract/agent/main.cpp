@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "runtime/process/data_folder.hpp"
 #include "tests/contract/agent/played_run.hpp"
 
 int main(int argc, char** argv) {
@@ -14,7 +15,8 @@ int main(int argc, char** argv) {
   subject.program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "robot_agent";
   std::string transport = "shm";
   double patience_s = 60.0;
-  CLI::App app{"Checks an agent against the rules P-50 to P-68 of docs/protocol.md", "agent_contract"};
+  CLI::App app{"Checks an agent against the rules P-50 to P-68 of " + runtime::page("protocol.md"),
+               "agent_contract"};
   app.add_option("--agent", subject.program, "The program under test; robot_agent without this option")
       ->check(CLI::ExistingFile);
   app.add_option("--scenario", subject.scenario, "Scenario that it is given; one of the suite's own without")

@@ -78,13 +78,19 @@ class SwitchedAgent {
     }
     if (last_ && stamp <= *last_ && !has("repeats")) return;
     if (has("no_gaps") && last_ && stamp - *last_ > std::chrono::milliseconds{32}) return;
-    if (has("late") && !last_ && steps_ == 0 && std::exchange(is_late_, false)) return;
-    if (frame.radio_due() && !has("no_wait") && (!has_heard(frame) || has("always_waits"))) {
-      waiting_ = frame;
-      until_ = std::chrono::steady_clock::now() + std::chrono::seconds{1};
+    if (has("busy")) {
+      // Takes no other frame until it has answered this one, 200 ms later.
+      if (!waiting_) postpone(frame, std::chrono::milliseconds{200});
       return;
     }
+    if (has("late") && !last_ && steps_ == 0 && std::exchange(is_late_, false)) return;
+    if (frame.radio_due() && !has("no_wait") && (!has_heard(frame) || has("always_waits")))
+      return postpone(frame, std::chrono::seconds{1});
     step(frame);
+  }
+  void postpone(const msg::SensorFrame& frame, std::chrono::milliseconds time) {
+    waiting_ = frame;
+    until_ = std::chrono::steady_clock::now() + time;
   }
   void step(const msg::SensorFrame& frame) {
     last_ = idl::to_time(frame.stamp());

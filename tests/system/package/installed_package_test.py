@@ -96,10 +96,44 @@ def check_runs(folder: pathlib.Path) -> list[pathlib.Path]:
     return runs
 
 
+def check_links(prefix: pathlib.Path) -> None:
+    """What the pages link to is installed."""
+    links = [(page, link) for page in prefix.rglob("*.md") for link in re.findall(r"\]\(([^)#\s]+)", page.read_text(encoding="utf-8"))]
+    inner = [(page, link) for page, link in links if "://" not in link]
+    expect(len(inner) > 100, f"only {len(inner)} links in the installed pages")
+    broken = [f"{page}: {link}" for page, link in inner
+              if not (page.parent / link).exists() or not (page.parent / link).resolve().is_relative_to(prefix.resolve())]
+    expect(not broken, "\n".join(broken))
+
+
+def check_texts(user: User, prefix: pathlib.Path) -> None:
+    """Files that help, advice, units and containers name are installed."""
+    texts = "".join(user.run(f"{prefix}/bin/{command} --help") for command in ("caravan run", "caravan", "caravan ctl", "agent_contract"))
+    profile = (prefix / "share/caravan/fastdds/discovery.xml").read_text(encoding="utf-8")
+    (user.folder / "mine.xml").write_text(profile.replace("11811", "11789"), encoding="utf-8")
+    texts += user.run(f"{prefix}/bin/caravan doctor --transport mine.xml || true")
+    named = re.findall(r"/\S+\.md", texts) + re.findall(r"-x (\S+\.xml)", texts)
+    expect(len(named) >= 6 and named[-1].endswith(".xml"), texts)
+    for file in [*(prefix / "share/caravan/systemd").glob("*.service"), *(ROOT / "deploy/container").iterdir()]:
+        named += [f"{prefix}/{name}" for name in re.findall(r"/opt/caravan/([^\s:,]+)", file.read_text(encoding="utf-8"))]
+    missing = [name for name in named if not pathlib.Path(name).exists()]
+    expect(not missing, "\n".join(missing))
+
+
+def check_contract(user: User, prefix: pathlib.Path) -> None:
+    """The agent contract suite judges an agent of the package, and one that is a program of the user's."""
+    said = user.run(f"{prefix}/bin/agent_contract --gtest_filter=*P50* -- --controller {prefix}/lib/caravan/controllers/braitenberg.so")
+    expect("[  PASSED  ] 1 test." in said, said)
+    user.run("printf '#!/bin/sh\\nexec sleep 60\\n' > silent && chmod +x silent")
+    said = user.run(f"TMPDIR=$HOME {prefix}/bin/agent_contract --agent ./silent --patience 1 --gtest_filter=*P53*", exit_code=1)
+    expect("tests/contract/agent/step_rules.cpp:" in said and "[  FAILED  ] 1 test" in said, said)
+
+
 def test(build: pathlib.Path, folder: pathlib.Path) -> None:
     install(build, folder / "first")
     prefix = (folder / "first").rename(folder / "second")
     check_paths(build, prefix)
+    check_links(prefix)
     (folder / "work").mkdir()
     user = User(build, prefix, folder / "work")
     check_headers(user, prefix)
@@ -121,6 +155,8 @@ def test(build: pathlib.Path, folder: pathlib.Path) -> None:
     user.run(f"{caravan} run {share}/scenarios/small.toml --engine embedded --items 0 --max-time 5 --quiet"
              f" --controller {prefix}/lib/caravan/controllers/braitenberg.so")
     user.run(f"{caravan} deploy {share}/scripts/robot_killed.toml --check")
+    check_texts(user, prefix)
+    check_contract(user, prefix)
 
 
 def main() -> int:

@@ -8,9 +8,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
-#include <utility>
 
-#include "build_paths.hpp"
 #include "runtime/bus/shared_memory_port.hpp"
 
 namespace caravan::test {
@@ -39,19 +37,6 @@ bool PatientProcess::prints(const std::string& text, std::chrono::milliseconds p
       },
       patience);
   return found;
-}
-
-Process::Process(std::vector<std::string> arguments, fs::path log)
-    : PatientProcess{[&] {
-                       arguments[0] = std::string{CARAVAN_BIN_DIR} + "/" + arguments[0];
-                       return std::move(arguments);
-                     }(),
-                     std::move(log)} {}
-
-Process::~Process() {
-  signal(SIGTERM);
-  signal(SIGCONT);  // in case it is suspended
-  (void)wait(std::chrono::seconds{10});
 }
 
 ScratchFolder::ScratchFolder() {
@@ -109,10 +94,6 @@ pid_t pid_in(std::uint32_t domain, const std::string& program, const std::string
     if (is_program && line.find(more) != std::string::npos) return pid;
   }
   return -1;
-}
-
-fs::path scenario(const std::string& name) {
-  return fs::path{CARAVAN_SOURCE_DIR} / "deploy" / "scenarios" / name;
 }
 
 }  // namespace caravan::test

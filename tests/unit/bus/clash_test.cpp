@@ -20,6 +20,7 @@ ParticipantId participant(std::uint8_t number) {
 }
 Clash clash() { return {participant(5), {"robot_agent 1", "lab", 10, kStarted_ms}, kLease_s, kBegan}; }
 Identity agent(std::uint64_t started_ms) { return {"robot_agent 1", "lab", 11, started_ms}; }
+Identity agent_elsewhere(std::uint64_t started_ms) { return {"robot_agent 1", "hall", 11, started_ms}; }
 
 TEST(Clash, GivesWayToOneThatStartedEarlierUntilItVanishes) {
   Clash one = clash();
@@ -35,14 +36,20 @@ TEST(Clash, GivesWayToOneThatStartedEarlierUntilItVanishes) {
 
 TEST(Clash, OfTwoThatStartedTogetherTheLowerGuidStays) {
   Clash one = clash();
-  EXPECT_FALSE(one.found(1, participant(9), agent(kStarted_ms - 500), false, kBegan));
-  EXPECT_TRUE(one.found(1, participant(2), agent(kStarted_ms + 500), false, kBegan));
+  EXPECT_FALSE(one.found(1, participant(9), agent_elsewhere(kStarted_ms - 500), false, kBegan));
+  EXPECT_TRUE(one.found(1, participant(2), agent_elsewhere(kStarted_ms + 500), false, kBegan));
 }
 
 TEST(Clash, OfTwoThatStartedTogetherTheOneThatIsInUseStays) {
   Clash one = clash();
-  EXPECT_FALSE(one.found(1, participant(2), agent(kStarted_ms + 500), true, kBegan));
-  EXPECT_TRUE(one.found(1, participant(2), agent(kStarted_ms - 2000), true, kBegan));
+  EXPECT_FALSE(one.found(1, participant(2), agent_elsewhere(kStarted_ms + 500), true, kBegan));
+  EXPECT_TRUE(one.found(1, participant(2), agent_elsewhere(kStarted_ms - 2000), true, kBegan));
+}
+
+TEST(Clash, OfTwoOnOneHostTheOneThatStartedFirstStaysHoweverShortBefore) {
+  Clash one = clash();
+  EXPECT_FALSE(one.found(1, participant(2), agent(kStarted_ms + 1), false, kBegan));
+  EXPECT_TRUE(one.found(1, participant(9), agent(kStarted_ms - 1), true, kBegan));
 }
 
 TEST(Clash, StaysBesideOneThatStartedLater) {

@@ -28,7 +28,7 @@ TEST(Place, PutsARobotAtRestWhereItIsAskedTo) {
   EXPECT_NEAR(world.poses()[0].x_m, 3.0, 1e-12);
   EXPECT_NEAR(world.poses()[0].y_m, -3.0, 1e-12);
   EXPECT_NEAR(world.poses()[0].yaw_rad, 1.0, 1e-12);
-  EXPECT_NEAR(world.sense(1).gps_x_m, 3.0, 1e-12);
+  EXPECT_NEAR(world.sense(1).position.x_m, 3.0, 1e-12);
   world.advance(std::vector<std::optional<Command>>(2));
   EXPECT_NEAR(world.poses()[0].x_m, 3.0, 1e-3) << "its speed is gone";
   EXPECT_NEAR(world.poses()[0].yaw_rad, 1.0, 1e-3);

@@ -76,13 +76,16 @@ TEST(ControlWords, SayWhatIsWrong) {
   EXPECT_THAT(error_of("teleport 1 nowhere 2"), HasSubstr("x must be a number"));
   EXPECT_THAT(error_of("teleport 1 nan 2"), HasSubstr("x must be a number"));
   EXPECT_THAT(error_of("pause now"), HasSubstr("one word too many"));
-  EXPECT_THAT(error_of("pause at 0"), HasSubstr("must be at least 1"));
+  const std::string range = "must be a whole number from 1 to 4294967295, is ";
+  for (const std::string step : {"0", "4294967296", "99999999999999999", "99999999999999999999", "-1", "x"})
+    EXPECT_EQ(error_of("pause at " + step), "the step after `at` " + range + "\"" + step + "\"");
+  EXPECT_EQ(read("pause at 4294967295").at_step(), 4294967295U);
   EXPECT_THAT(error_of("radio melt 1"), HasSubstr("cut, degrade, heal or clear"));
   for (const char* loss : {"nan", "-0.1", "1.1", "much"})
     EXPECT_THAT(error_of("radio degrade " + std::string{loss} + " 1"), HasSubstr("from 0 to 1"));
   EXPECT_THAT(error_of("radio cut 1 1"), HasSubstr("no link to itself"));
   EXPECT_THAT(error_of("radio cut 4-2"), HasSubstr("is not a robot"));
-  EXPECT_THAT(error_of("step -1"), HasSubstr("whole number"));
+  EXPECT_EQ(error_of("step 0"), "the number of steps " + range + "\"0\"");
   EXPECT_EQ(read_control(Words{split("fly 3")}), std::nullopt);
 }
 

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <regex>
 
 namespace caravan::deploy {
 namespace {
@@ -46,10 +48,59 @@ TEST(CommandLine, ARunWithoutOptionsChangesNothingAndUsesDds) {
   EXPECT_EQ(run.agents_per_process, 1U);
 }
 
+TEST(CommandLine, ARunKeepsItsWordsForTheRecord) {
+  const auto command = read({"run", "small.toml", "--seed", "2"});
+
+  EXPECT_THAT(std::get<RunCommand>(command).command_line,
+              testing::ElementsAre("caravan", "run", "small.toml", "--seed", "2"));
+}
+
+TEST(CommandLine, ARerunTakesTheFolderOfARun) {
+  const auto plain = read({"rerun", "runs/a"});
+  const auto full = read({"rerun", "runs/a", "--engine", "embedded", "--out", "/tmp/x", "--quiet"});
+
+  EXPECT_EQ(std::get<RerunCommand>(plain).run, "runs/a");
+  EXPECT_EQ(std::get<RerunCommand>(plain).engine, std::nullopt);
+  EXPECT_EQ(std::get<RerunCommand>(plain).out, std::nullopt);
+  EXPECT_FALSE(std::get<RerunCommand>(plain).quiet);
+  EXPECT_EQ(std::get<RerunCommand>(full).engine, "embedded");
+  EXPECT_EQ(std::get<RerunCommand>(full).out, "/tmp/x");
+  EXPECT_TRUE(std::get<RerunCommand>(full).quiet);
+  EXPECT_EQ(std::get<RerunCommand>(full).command_line.size(), 7U);
+  EXPECT_THAT(complaint({"rerun"}), testing::HasSubstr("run"));
+  EXPECT_THAT(complaint({"rerun", "a", "--engine", "gazebo"}), testing::HasSubstr("gazebo"));
+}
+
 TEST(CommandLine, ANewProjectHasOneName) {
   EXPECT_EQ(std::get<NewCommand>(read({"new", "my_swarm"})).name, "my_swarm");
   EXPECT_THAT(complaint({"new"}), testing::HasSubstr("name"));
   EXPECT_THAT(complaint({"new", "a", "b"}), testing::HasSubstr("b"));
+}
+
+TEST(CommandLine, NamesPagesThatAreThereInItsHelp) {
+  for (const char* command : {"run", "sweep", "ctl", "deploy", "doctor"}) {
+    CaptureStdout();
+    (void)read({command, "--help"});
+    const std::string help = GetCapturedStdout();
+    const std::regex page{"/\\S+\\.md"};
+    const std::sregex_iterator first{help.begin(), help.end(), page};
+    EXPECT_NE(first, std::sregex_iterator{}) << command;
+    for (auto found = first; found != std::sregex_iterator{}; ++found)
+      EXPECT_TRUE(std::filesystem::is_regular_file(found->str())) << found->str();
+  }
+}
+
+TEST(CommandLine, NamesAnUnknownCommandAndTheHelpOfTheCommandThatIsWrong) {
+  EXPECT_EQ(complaint({"bogus"}), "caravan: there is no command \"bogus\" (see caravan --help)\n");
+  EXPECT_EQ(complaint({"bogus", "small.toml", "--quiet"}),
+            "caravan: there is no command \"bogus\" (see caravan --help)\n");
+  EXPECT_EQ(complaint({"--bogus"}), "caravan: there is no option \"--bogus\" (see caravan --help)\n");
+  EXPECT_THAT(complaint({}), testing::EndsWith("(see caravan --help)\n"));
+  for (const char* command : {"run", "sweep", "step-agent", "ctl", "deploy", "doctor", "check"}) {
+    const std::string said = complaint({command, "--bogus"});
+    EXPECT_THAT(said, testing::StartsWith("caravan " + std::string{command} + ": "));
+    EXPECT_THAT(said, testing::EndsWith("(see caravan " + std::string{command} + " --help)\n"));
+  }
 }
 
 TEST(CommandLine, AReportTakesAnyNumberOfFoldersAndAtLeastOne) {
@@ -69,6 +120,8 @@ TEST(CommandLine, RefusesNamesOfFilesAndFoldersThatAreEmpty) {
                                              {"check", ""},
                                              {"report", ""},
                                              {"report", "a", "--out", ""},
+                                             {"rerun", ""},
+                                             {"rerun", "a", "--out", ""},
                                              {"diff", "a", ""},
                                              {"step-agent", "", "--robot", "1"},
                                              {"deploy", ""},
@@ -100,6 +153,20 @@ TEST(CommandLine, TakesEveryOptionOfARun) {
   EXPECT_TRUE(run.quiet);
   EXPECT_TRUE(run.report);
   EXPECT_TRUE(run.trace);
+}
+
+TEST(CommandLine, TakesAnyNumberOfSettingsOneAtATime) {
+  using testing::ElementsAre;
+  const auto run = read({"run", "--set", "radio.range_m=[1,2]", "--set", "a.b=x", "small.toml"});
+  EXPECT_THAT(std::get<RunCommand>(run).sets, ElementsAre("radio.range_m=[1,2]", "a.b=x"));
+  EXPECT_EQ(std::get<RunCommand>(run).scenario, "small.toml");
+  EXPECT_THAT(std::get<CheckCommand>(read({"check", "a.toml", "--set", "a.b=1"})).sets, ElementsAre("a.b=1"));
+  EXPECT_THAT(std::get<DeployCommand>(read({"deploy", "a.toml", "--set=a.b=1"})).sets, ElementsAre("a.b=1"));
+  const auto sweep = read({"sweep", "a.toml", "--set", "a.b=1,2", "--plan", "plan.toml", "--out", "x"});
+  EXPECT_THAT(std::get<SweepCommand>(sweep).sets, ElementsAre("a.b=1,2"));
+  EXPECT_EQ(std::get<SweepCommand>(sweep).plan, "plan.toml");
+  EXPECT_EQ(std::get<SweepCommand>(sweep).modes, std::nullopt);
+  EXPECT_THAT(complaint({"run", "a.toml", "--set"}), testing::HasSubstr("--set"));
 }
 
 TEST(CommandLine, TakesEveryOptionOfASweep) {

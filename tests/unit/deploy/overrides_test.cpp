@@ -67,6 +67,31 @@ TEST(Overrides, AScenarioWithoutNameIsNamedAfterItsFile) {
   EXPECT_EQ(name_of(applied("", {})), "course");
 }
 
+TEST(Settings, AreReadFromTheCommandLine) {
+  const runtime::Settings settings = read_settings({"radio.range_m=4", "controller.rate=2"}, {});
+  ASSERT_EQ(settings.size(), 2U);
+  EXPECT_EQ(settings[1].key, "controller.rate");
+  EXPECT_EQ(settings[1].value, "2");
+}
+
+TEST(Settings, AreRefusedTwiceAndBesideTheOptionForTheSameKey) {
+  using testing::StartsWith;
+  using testing::ThrowsMessage;
+  EXPECT_THAT(
+      [] {
+        (void)read_settings({"a.b=1", "a.b=2"}, {});
+      },
+      ThrowsMessage<runtime::StartError>(StartsWith("--set a.b=2: is set twice")));
+  Overrides overrides;
+  overrides.robots = 4;
+  overrides.controller = "paper";
+  EXPECT_THAT([&] { (void)read_settings({"robots.count=5"}, overrides); },
+              ThrowsMessage<runtime::StartError>(StartsWith("--set robots.count=5: --robots sets it, too")));
+  EXPECT_THAT([&] { (void)read_settings({"controller.library=x.so"}, overrides); },
+              ThrowsMessage<runtime::StartError>(StartsWith("--set controller.library=x.so: --controller")));
+  EXPECT_NO_THROW((void)read_settings({"experiment.items=5"}, overrides));
+}
+
 TEST(Name, OfAScenarioIsLettersDigitsDotsDashesAndUnderlinesUpTo64) {
   const auto named = [](const std::string& name) {
     return name_of(TomlDocument::parse("name = " + name + "\n", "course.toml"));

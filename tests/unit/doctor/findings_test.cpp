@@ -143,8 +143,9 @@ TEST(Doctor, WantsTheAddressesOfTheProfileOnThisHost) {
 TEST(Doctor, MissesADiscoveryServerThatShouldRunHere) {
   HostFacts facts = healthy();
   facts.reach.servers = {{"192.0.2.1", 11811}};
-  EXPECT_THAT(only_complaint(facts, "discovery", Severity::kProblem).advice,
-              HasSubstr("fast-discovery-server -i 0 -l 192.0.2.1 -p 11811"));
+  facts.server_profile = "/here/server.xml";
+  EXPECT_EQ(only_complaint(facts, "discovery", Severity::kProblem).advice,
+            "fast-discovery-server -i 0 -l 192.0.2.1 -p 11811 -x /here/server.xml");
   facts.udp_ports_in_use = {53, 11811};
   EXPECT_EQ(about("discovery", facts).severity, Severity::kGood);
   facts.udp_ports_in_use = {};

@@ -284,7 +284,7 @@ TEST_F(Outputs, ARecordThatCannotBeWrittenEndsAndKeepsWhatItHas) {
   end.items_delivered = 1;
   record.observe(end);
   EXPECT_TRUE(record.is_whole());
-  const SmallFiles limit{1500};  // enough for metrics.json of one robot, but not for tracks.csv
+  const SmallFiles limit{3000};  // enough for metrics.json of one robot, but not for tracks.csv
 
   EXPECT_EQ(record.close({}), 1) << "though every item was delivered";
 

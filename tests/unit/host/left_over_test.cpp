@@ -7,9 +7,13 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include "runtime/bus/shared_memory_port.hpp"
 #include "runtime/host/shared_memory.hpp"
@@ -21,6 +25,8 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
+
+constexpr std::uint32_t kDomain = 77;
 
 std::string of_dds(const std::string& rest) { return runtime::shared_memory_mark() + rest; }
 
@@ -73,6 +79,43 @@ TEST_F(LeftOver, IsNotWhatSomebodyHasMapped) {
   EXPECT_THAT(left(), IsEmpty());
   munmap(mapped, 5);
   EXPECT_THAT(left(), ElementsAre(of_dds("0123"), of_dds("0123_el")));
+}
+
+/// A port file that a process has opened and not mapped yet, which lasts longer on a busy machine.
+TEST_F(LeftOver, IsNotWhatSomebodyIsAboutToMap) {
+  const fs::path opened = make(of_dds("port" + std::to_string(7400 + 250 * kDomain)), 0s);
+  const fs::path dead = make(of_dds("port" + std::to_string(7401 + 250 * kDomain)), 0s);
+  const fs::path of_another_domain = make(of_dds("port" + std::to_string(7400 + 250 * (kDomain + 1))), 0s);
+  const int descriptor = open(opened.c_str(), O_RDONLY | O_CLOEXEC);
+  remove_dead_ports(kDomain, folder_);
+  EXPECT_TRUE(fs::exists(opened));
+  EXPECT_FALSE(fs::exists(dead));
+  EXPECT_TRUE(fs::exists(of_another_domain));
+  close(descriptor);
+  remove_dead_ports(kDomain, folder_);
+  EXPECT_FALSE(fs::exists(opened));
+}
+
+/// Processes start while a world removes what the dead left.
+TEST_F(LeftOver, IsNotWhatAppearsMeanwhile) {
+  std::atomic<bool> done{false};
+  std::thread remover{[&] {
+    while (!done) remove_dead_ports(kDomain, folder_);
+  }};
+  std::vector<std::pair<fs::path, void*>> ports;
+  for (std::uint32_t i = 0; i < 250; ++i) {
+    const fs::path port = folder_ / of_dds("port" + std::to_string(7400 + 250 * kDomain + i));
+    const int descriptor = open(port.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    EXPECT_EQ(ftruncate(descriptor, 5), 0);
+    ports.emplace_back(port, mmap(nullptr, 5, PROT_READ, MAP_SHARED, descriptor, 0));
+    close(descriptor);
+  }
+  done = true;
+  remover.join();
+  for (const auto& [port, mapped] : ports) {
+    EXPECT_TRUE(fs::exists(port));
+    munmap(mapped, 5);
+  }
 }
 
 TEST_F(LeftOver, IsNotWhatSomebodyUnseenHasLocked) {

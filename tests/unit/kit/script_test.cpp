@@ -9,6 +9,7 @@
 
 #include "build_paths.hpp"
 #include "runtime/config/start_error.hpp"
+#include "runtime/scenario/shared_tables.hpp"
 
 namespace caravan::deploy {
 namespace {
@@ -25,11 +26,11 @@ class ScriptFile : public ::testing::Test {
   }
   ~ScriptFile() override { fs::remove_all(folder_); }
 
-  Script load(const std::string& text) {
+  Script load(const std::string& text, const runtime::Settings& settings = {}) {
     const fs::path file = folder_ / "script.toml";
     const fs::path small = fs::path{CARAVAN_SOURCE_DIR} / "deploy/scenarios/small.toml";
     std::ofstream{file} << "scenario = \"" << small.string() << "\"\n" << text;
-    return load_script(file);
+    return load_script(file, settings);
   }
   std::string error_of(const std::string& text) {
     try {
@@ -42,6 +43,21 @@ class ScriptFile : public ::testing::Test {
 
   fs::path folder_;
 };
+
+TEST_F(ScriptFile, IsLaidOverTheScenarioBeforeTheSettingsOfTheCommandLine) {
+  const runtime::Settings settings = {runtime::read_setting("robots.count=6", "--set")};
+  const Script script =
+      load("[changes]\nrobots.count = 2\nexperiment.items = 9\n[[step]]\ndo = 'kill robot 6'\n", settings);
+
+  const runtime::TomlDocument scenario = scenario_of(script);
+  EXPECT_EQ(runtime::read_robots(scenario).count, 6U);
+  EXPECT_EQ(runtime::read_experiment(scenario).items, 9U);
+  const auto wrong = [this] {
+    (void)load("[[step]]\ndo = 'go'\n", {runtime::read_setting("robots.count=0", "--set")});
+  };
+  EXPECT_THAT(wrong, ::testing::ThrowsMessage<runtime::StartError>(
+                         ::testing::StartsWith("--set robots.count=0: must be")));
+}
 
 TEST_F(ScriptFile, IsReadWhole) {
   const Script script = load(R"(

@@ -65,4 +65,19 @@ inline SweepPlan plan_of(const std::vector<std::string>& modes, const std::vecto
   return plan;
 }
 
+/// The plan at the points radio.range_m = 2 and 4 of a sweep with this axis.
+inline SweepPlan with_axis(const SweepPlan& plan) {
+  SweepPlan grid = plan;
+  grid.axes = {"radio.range_m"};
+  grid.runs.clear();
+  for (const std::string value : {"2", "4"}) {
+    for (PlannedRun run : plan.runs) {
+      run.point = "radio.range_m=" + value;
+      run.values = {value};
+      grid.runs.push_back(run);
+    }
+  }
+  return grid;
+}
+
 }  // namespace caravan::experiment

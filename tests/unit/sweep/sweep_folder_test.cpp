@@ -57,6 +57,20 @@ TEST_F(SweepFolders, RefuseASweepThatLeavesOutRunsOfTheirs) {
   EXPECT_THAT(refusal(plan_of({"none"}, {1, 2})), testing::HasSubstr("full 1 is not among"));
 }
 
+TEST_F(SweepFolders, RefuseASweepWithOtherAxes) {
+  const SweepPlan grid = with_axis(plan_);
+  claim(grid);
+  write_tables(file(""), grid, std::vector<RunRow>(8), SweepState::kComplete);
+  SweepPlan half = grid;
+  half.runs.resize(4);
+
+  EXPECT_EQ(refusal(grid), "");
+  EXPECT_THAT(refusal(half), testing::HasSubstr("radio.range_m=4 none 1 is not among"));
+  EXPECT_THAT(refusal(plan_), testing::HasSubstr("radio.range_m=2 none 1 is not among"));
+  write_tables(file(""), plan_, std::vector<RunRow>(4), SweepState::kComplete);
+  EXPECT_THAT(refusal(grid), testing::HasSubstr("--set or --plan: none 1 is not among"));
+}
+
 TEST_F(SweepFolders, RefuseAnotherScenarioAForeignFolderAndASingleRun) {
   claim(plan_);
   SweepPlan other = plan_;

@@ -45,6 +45,21 @@ TEST(SweepTables, HaveARowForEachRunWithFailedOnesMarked) {
   EXPECT_THAT(text, HasSubstr("\n5,full,3,pending,,,"));
 }
 
+TEST(SweepTables, HaveAColumnForEachAxis) {
+  const SweepPlan grid = with_axis(plan_of({"none"}, {1, 2}));
+  const std::vector<RunRow> rows(4);
+
+  const std::string text = runs_csv(grid, rows);
+  EXPECT_THAT(text, HasSubstr("index,mode,seed,radio.range_m,state,reason,digest,completed,"));
+  EXPECT_THAT(text, HasSubstr("\n1,none,2,2,pending,,,"));
+  EXPECT_THAT(text, HasSubstr("\n2,none,1,4,pending,,,"));
+  const auto json = nlohmann::json::parse(sweep_json(grid, rows, SweepState::kRunning));
+  EXPECT_EQ(json["axes"], (nlohmann::json{"radio.range_m"}));
+  EXPECT_EQ(json["runs"][2]["folder"], "radio.range_m=4/none/seed_1");
+  EXPECT_EQ(json["runs"][2]["values"], (nlohmann::json{"4"}));
+  EXPECT_EQ(json["runs"][2]["point"], "radio.range_m=4");
+}
+
 TEST(SweepTables, SummariseEachModeAndQuantityOverTheRunsThatAreDone) {
   const std::string text = summary_csv(kPlan, rows());
 

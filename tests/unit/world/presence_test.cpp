@@ -26,8 +26,8 @@ World facing_pair(double apart_m) {
 }
 
 double nearest_echo(World& world, std::uint32_t robot) {
-  const Senses senses = world.sense(robot);
-  return *std::min_element(senses.sonar_range_m.begin(), senses.sonar_range_m.end());
+  const Sensors sensors = world.sense(robot);
+  return *std::min_element(sensors.sonar_range_m.begin(), sensors.sonar_range_m.end());
 }
 
 TEST(Presence, ARemovedRobotIsNowhere) {
@@ -37,7 +37,7 @@ TEST(Presence, ARemovedRobotIsNowhere) {
   EXPECT_FALSE(world.is_present(2));
   EXPECT_TRUE(std::isnan(world.poses()[1].x_m));
   EXPECT_EQ(nearest_echo(world, 1), std::numeric_limits<double>::infinity());
-  EXPECT_TRUE(std::isnan(world.sense(2).gps_x_m));
+  EXPECT_TRUE(std::isnan(world.sense(2).position.x_m));
 }
 
 TEST(Presence, OthersDriveThroughThePlaceOfARemovedRobot) {
@@ -61,7 +61,7 @@ TEST(Presence, ASpawnedRobotStandsWhereItWasPut) {
   world.advance(Commands(2));
   EXPECT_EQ(world.spawn(2, {1.5, 0.0, 0.0}), "");
   EXPECT_TRUE(world.is_present(2));
-  EXPECT_EQ(world.sense(2).gps_x_m, world.poses()[1].x_m);
+  EXPECT_EQ(world.sense(2).position.x_m, world.poses()[1].x_m);
   EXPECT_NEAR(world.poses()[1].x_m, 1.5, 1e-9);
   EXPECT_LT(nearest_echo(world, 1), 1.5);
   world.advance(Commands(2));

@@ -157,11 +157,11 @@ TEST(World, ReportsAContactOnceForAsLongAsItLasts) {
 TEST(World, SensesItsTruePlaceWithoutNoise) {
   World world{shipped("small")};
   const Pose pose = world.poses()[2];
-  const Senses senses = world.sense(3);
-  EXPECT_EQ(senses.gps_x_m, pose.x_m);
-  EXPECT_EQ(senses.gps_y_m, pose.y_m);
-  EXPECT_EQ(senses.compass_yaw_rad, pose.yaw_rad);
-  for (const double age : senses.sonar_age_s) EXPECT_EQ(age, 0.0);
+  const Sensors sensors = world.sense(3);
+  EXPECT_EQ(sensors.position.x_m, pose.x_m);
+  EXPECT_EQ(sensors.position.y_m, pose.y_m);
+  EXPECT_EQ(sensors.yaw_rad, pose.yaw_rad);
+  for (const double age : sensors.sonar_age_s) EXPECT_EQ(age, 0.0);
 }
 
 // With 1000 robots the shipped scenario gives each as much space as with 15.
