@@ -2,8 +2,8 @@
 # The installed tree. It can be moved: programs find each other and their files by the path of the program.
 #   bin/                   the programs
 #   include/caravan/       public headers: controllers and the test kit
-#   lib/                   the test kit; caravan/controllers: the examples; caravan/python: controllers in Python; cmake/caravan: find_package(caravan)
-#   share/caravan/         scenarios, scripts, DDS profiles, units, IDL, the templates of `caravan new`, the drawing program
+#   lib/                   the test kit; caravan/controllers: the examples; caravan/python: the Python packages; cmake/caravan: find_package(caravan)
+#   share/caravan/         scenarios, scripts, DDS profiles, units, IDL, the templates of `caravan new`, examples for scripts, the drawing program
 #   share/doc/caravan/     the documentation, with symbolic links for what its pages link to
 # This file has what belongs to no single folder of the tree. A folder that makes something else has its own install() beside its target.
 include(CMakePackageConfigHelpers)
@@ -40,6 +40,7 @@ function(caravan_page_link path target)
   file(CREATE_LINK ${target} ${link} SYMBOLIC)
 endfunction()
 caravan_page_link(deploy ../../caravan)
+caravan_page_link(experiment/python/examples ../../../../caravan/examples)
 caravan_page_link(idl ../../caravan/idl)
 caravan_page_link(runtime/controller/include ../../../../../include)
 caravan_page_link(runtime/controller/python ../../../../../lib/caravan/python)

@@ -1,46 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/cli/check_scenario.hpp"
 
-#include "deploy/cli/overrides.hpp"
 #include "deploy/cli/try_controllers.hpp"
-#include "hardware_bridge/config/bridge_table.hpp"
-#include "radio_emulator/config/radio_config.hpp"
-#include "robot_agent/config/agent_config.hpp"
+#include "experiment/check/check_tables.hpp"
 #include "robot_agent/controller/controllers.hpp"
 #include "world_server/config/world_config.hpp"
 #include "world_server/world.hpp"
 
 namespace caravan::deploy {
-namespace {
-
-std::string to_text(agent::Sharing sharing) {
-  switch (sharing) {
-    case agent::Sharing::kNone:
-      return "none";
-    case agent::Sharing::kPartial:
-      return "partial";
-    case agent::Sharing::kFull:
-      return "full";
-  }
-  return "";
-}
-
-}  // namespace
 
 experiment::RunFacts check_tables(const runtime::TomlDocument& scenario, const std::string& controller) {
-  const world::WorldConfig world_config = world::load_world_config(scenario);
-  (void)radio::load_radio_config(scenario);
-  (void)bridge::read_bridge(scenario);
-  const agent::Config agent_config = agent::load_config(scenario, 1);
-  const std::chrono::duration<double> max_time{world_config.experiment.max_time_s};
-  return {.scenario = name_of(scenario),
-          .engine = {},
-          .controller = try_controllers(scenario, controller),
-          .mode = to_text(agent_config.sharing.mode),
-          .seed = world_config.seed,
-          .robots = world_config.robots.count,
-          .items = world_config.experiment.items,
-          .max_time = std::chrono::duration_cast<experiment::Time>(max_time)};
+  experiment::RunFacts facts = experiment::check_tables(scenario);
+  facts.controller = try_controllers(scenario, controller);
+  return facts;
 }
 
 experiment::RunFacts check_scenario(const runtime::TomlDocument& scenario) {

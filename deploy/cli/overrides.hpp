@@ -30,11 +30,6 @@ void refuse_clash(const std::string& key, const std::string& origin, const Overr
 [[nodiscard]] runtime::Settings read_settings(const std::vector<std::string>& sets,
                                               const Overrides& overrides);
 
-/// The name of a scenario, which becomes part of a folder's name: its key `name`; without it, the name of its
-/// file without extension, with _ in place of invalid characters.
-/// @throws StartError when `name` has other characters than a-z, A-Z, 0-9, ._-, more than 64 of them, or none
-[[nodiscard]] std::string name_of(const runtime::TomlDocument& scenario);
-
 /// A controller of the command line: "paper", empty, or the absolute form of a path from the working
 /// directory.
 [[nodiscard]] std::string absolute_controller(const std::string& given);

@@ -11,6 +11,7 @@
 #include "experiment/sweep/plan_file.hpp"
 #include "robot_agent/controller/controllers.hpp"
 #include "runtime/config/number_list.hpp"
+#include "runtime/scenario/name.hpp"
 
 namespace caravan::deploy {
 namespace {

@@ -13,10 +13,10 @@
 
 namespace caravan::experiment {
 
-Engine::Engine(const runtime::TomlDocument& scenario, const std::optional<std::filesystem::path>& trace)
+Engine::Engine(const runtime::TomlDocument& scenario, agent::Controllers controllers)
     : world_{world::load_world_config(scenario)},
       medium_{radio::load_radio_config(scenario)},
-      controllers_{scenario, agent::controller_in(scenario), trace} {
+      controllers_{std::move(controllers)} {
   const runtime::RobotsTable robots = runtime::read_robots(scenario);
   wheel_limit_mps_ = robots.wheel_limit_mps;
   for (std::uint32_t robot = 1; robot <= robots.count; ++robot) {

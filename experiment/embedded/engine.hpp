@@ -27,7 +27,10 @@ class Engine {
   /// @param trace  existing folder for what each robot's controller is given and answers; none: no trace
   /// @throws runtime::StartError
   explicit Engine(const runtime::TomlDocument& scenario,
-                  const std::optional<std::filesystem::path>& trace = std::nullopt);
+                  const std::optional<std::filesystem::path>& trace = std::nullopt)
+      : Engine{scenario, agent::Controllers{scenario, agent::controller_in(scenario), trace}} {}
+  /// With controllers that the scenario need not name.
+  Engine(const runtime::TomlDocument& scenario, agent::Controllers controllers);
 
   /// One step of world, agents and radio. @pre !finished()
   /// @return the observation of the step, valid until the next call

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot_agent/controller/controllers.hpp"
 
-#include <utility>
-
 #include "robot_agent/controller/paper_controller.hpp"
 #include "runtime/controller/make.hpp"
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robot_agent/core/config.hpp"
@@ -32,6 +33,9 @@ class Controllers {
   /// @param library  kPaper or the path of a shared library or of a file of Python
   /// @throws StartError when the library cannot be loaded
   Controllers(const runtime::TomlDocument& scenario, const std::string& library, TraceFolder trace = {});
+  /// A loaded controller takes the place of the scenario's.
+  Controllers(const runtime::TomlDocument& scenario, runtime::LoadedController loaded)
+      : scenario_{scenario}, name_{loaded.name}, loaded_{std::move(loaded)} {}
   explicit Controllers(const runtime::TomlDocument& scenario)
       : Controllers{scenario, controller_in(scenario)} {}
 

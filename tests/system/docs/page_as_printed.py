@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Carries out docs/your_own_agent.md or docs/python.md in the home of a user who has installed Caravan in ~/caravan: runs each command in one
-shell, writes the controller that the page prints where it prints it, and runs a scenario with the table that it prints."""
+"""Carries out a page of docs/ in the home of a user who has installed Caravan in ~/caravan: runs each command in one shell, writes the
+controller or the cells of a notebook that the page prints where it prints them, and runs a scenario with the table that it prints."""
 
 import argparse
 import os
@@ -12,12 +12,12 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-FILES = {"cpp": "spinner.cpp", "python": "spinner.py"}
+PAGES = {"your_own_agent.md": "spinner.cpp", "python.md": "spinner.py", "notebooks.md": "study.py"}  # page -> the file for its code
 
 
 def blocks(page: str) -> list[tuple[str, str]]:
-    """Kind and text of each block of code, in the order of the page."""
-    return re.findall(r"^```(sh|cpp|python|toml)\n(.*?)^```$", (ROOT / "docs" / page).read_text(encoding="utf-8"), re.M | re.S)
+    """Kind and text of each block of code, in the order of the page. A block of the kind text is printed by what comes before."""
+    return re.findall(r"^```(sh|cpp|python|toml|text)\n(.*?)^```$", (ROOT / "docs" / page).read_text(encoding="utf-8"), re.M | re.S)
 
 
 def script(page: str) -> str:
@@ -25,9 +25,9 @@ def script(page: str) -> str:
     for kind, text in blocks(page):
         if kind == "sh":
             lines.append(text)
-        elif kind in FILES:
-            lines.append(f"cat > {FILES[kind]} <<'END'\n{text}END")
-        else:
+        elif kind in ("cpp", "python"):
+            lines.append(f"cat >> {PAGES[page]} <<'END'\n{text}END")
+        elif kind == "toml":
             lines.append(f"cat ~/caravan/share/caravan/scenarios/small.toml - > mine.toml <<'END'\n{text}END")
             lines.append("caravan run mine.toml --engine embedded --items 0 --max-time 20 --quiet --out ~/mine")
     return "\n".join(lines)
@@ -36,7 +36,7 @@ def script(page: str) -> str:
 def main() -> int:
     parser = argparse.ArgumentParser()
     parser.add_argument("--build", type=pathlib.Path, required=True)
-    parser.add_argument("--page", choices=("your_own_agent.md", "python.md"), default="your_own_agent.md")
+    parser.add_argument("--page", choices=PAGES, default="your_own_agent.md")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         home = pathlib.Path(name)
@@ -44,14 +44,19 @@ def main() -> int:
         installed = subprocess.run(["cmake", "--install", str(arguments.build), "--prefix", str(home / "caravan")], stdout=subprocess.DEVNULL, check=False)
         if installed.returncode != 0:
             return 1
-        done = subprocess.run(["/bin/bash", "-c", script(arguments.page)], cwd=home, env=environment, check=False)
+        done = subprocess.run(["/bin/bash", "-c", script(arguments.page)], cwd=home, env=environment, stdout=subprocess.PIPE, text=True, check=False)
+        print(done.stdout)
         if done.returncode != 0:
             print(f"exit code {done.returncode}")
             return 1
-        if '"controller": "spinner"' not in (home / "mine/metrics.json").read_text(encoding="utf-8"):
+        scenario_runs = any(kind == "toml" for kind, _ in blocks(arguments.page))
+        if scenario_runs and '"controller": "spinner"' not in (home / "mine/metrics.json").read_text(encoding="utf-8"):
             print("the scenario's controller did not run")
             return 1
-    return 0
+    missing = [line for kind, text in blocks(arguments.page) if kind == "text" for line in text.splitlines() if line not in done.stdout.splitlines()]
+    for line in missing:
+        print(f"not printed: {line}")
+    return 1 if missing else 0
 
 
 if __name__ == "__main__":

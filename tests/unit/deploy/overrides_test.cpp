@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "runtime/scenario/name.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 
 namespace caravan::deploy {

@@ -31,7 +31,7 @@ def _is_from(folder, name):
 def _run(file):
     """Runs the file as a new module. It and the modules that it imports from its folder belong to one controller only."""
     folder = os.path.dirname(os.path.abspath(file))
-    if folder not in sys.path:
+    if folder not in sys.path and not folder.startswith(_PACKAGES + os.sep):
         sys.path.insert(0, folder)
     name = f"{os.path.splitext(os.path.basename(file))[0]}:{next(_numbers)}"
     module = types.ModuleType(name)
