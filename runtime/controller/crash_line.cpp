@@ -24,6 +24,7 @@ struct Inside {
 };
 thread_local Inside inside;
 int code_of_exit = 0;
+bool is_watched = false;
 
 /// A line in parts, without memory from the heap: a signal handler may not ask for any.
 class Line {
@@ -79,6 +80,13 @@ void on_exit() {
   std::_Exit(code_of_exit);
 }
 
+/// Functions given to atexit() are called last first. DDS gives some when it starts, which wait for the
+/// thread that is inside the controller; this one, given at the first step, comes before them.
+void come_before_dds() {
+  static const bool is_done = std::atexit(on_exit) == 0;
+  (void)is_done;
+}
+
 /// Room for the handler when its thread's own stack is full. Each thread needs one of its own.
 class HandlerStack {
  public:
@@ -118,11 +126,12 @@ void name_crashing_controllers(int exit_code) {
     }
     return std::atexit(on_exit) == 0;
   }();
-  (void)is_done;
+  is_watched = is_done;
 }
 
 InsideController::InsideController(const char* who, std::uint64_t step) {
   static const thread_local HandlerStack stack;
+  if (is_watched && step > 0) come_before_dds();
   inside = {who, step};
 }
 
