@@ -61,6 +61,8 @@ def section(name: str, folder: pathlib.Path, sweep: Sweep) -> str:
     if comparisons:
         text += (f"p (Holm) is corrected for the {counts[-1]} comparisons of its quantity, not for the number of quantities: choose the "
                  "quantity before looking. ")
+    if any(factor != "mode" for factor in sweep.varied()):
+        text += "Numbers and figures outside of this part combine all settings of a mode. "
     text += f"All quantities: summary.csv and comparisons.csv in {html.escape(str(folder))}.</p>{estimates_table(sweep, summaries)}"
     return text + (f"<p></p>{comparisons_table(sweep, comparisons)}" if comparisons else "")
 

@@ -25,7 +25,7 @@ from estimates import Estimate  # noqa: E402  (after the check above)
 from sweep_runs import TIME_TO_FINISH, BrokenSweep, Sweep, read_sweep  # noqa: E402
 
 FIVE = ("minimum", "lower_quartile", "median", "upper_quartile", "maximum")
-SUMMARY = ("mode", "quantity", "n", *FIVE, "used", "censored", "missing", "statistic", "estimate", "relation", "low_95", "high_95")
+SUMMARY = ("quantity", "n", *FIVE, "used", "censored", "missing", "statistic", "estimate", "relation", "low_95", "high_95")
 COMPARISONS = ("quantity", "factor", "level", "reference", "where", "pairs", "unpaired", "equal", "censored", "difference", "relation",
                "low_95", "high_95", "test", "p_value", "p_holm", "rank_biserial")
 MOST_LINES = 24  # of each part of the table
@@ -77,10 +77,10 @@ def estimate_fields(estimate: Estimate) -> list[str]:
 
 
 def summary_csv(sweep: Sweep, summaries: list[Summary]) -> str:
-    rows = [[*SUMMARY, *sweep.factors[1:]]]
+    rows = [[*sweep.factors, *SUMMARY]]
     for one in summaries:
-        rows.append([one.cell[0], one.quantity, str(len(one.plain)), *map(number_text, five_numbers(one.plain)), str(one.used),
-                     str(one.censored), str(one.missing), one.estimate.statistic, *estimate_fields(one.estimate), *one.cell[1:]])
+        rows.append([*one.cell, one.quantity, str(len(one.plain)), *map(number_text, five_numbers(one.plain)), str(one.used),
+                     str(one.censored), str(one.missing), one.estimate.statistic, *estimate_fields(one.estimate)])
     return csv_text(rows)
 
 

@@ -159,7 +159,7 @@ class Reports(unittest.TestCase):
         self.assertEqual((code, said.count("left out")), (0, 0), said)
         page_text = (self.folder / "out/report.html").read_text(encoding="utf-8")
         for part in ('id="statistics"', "p (Holm) is corrected for the 4 comparisons", "none robots.count=3", 'id="main_effects"',
-                     'id="interactions"', ">47.0 (", "to unbounded)", ">0.57 ("):
+                     'id="interactions"', ">47.0 (", "to unbounded)", "combine all settings of a mode", ">0.57 ("):
             self.assertTrue(part in page_text, part)
         for name in ("main_effects", "interactions"):
             picture = matplotlib.image.imread(self.folder / f"out/figures/{name}.png")

@@ -121,6 +121,7 @@ class Factors(SweepTest):
         self.assertEqual([(one[self.AXES[0]], one[self.AXES[1]]) for one in times],
                          [("2", "5"), ("2", "9"), ("4", "5"), ("4", "9"), ("6", "5"), ("6", "9")])
         self.assertEqual({one["n"] for one in times}, {"12"})
+        self.assertEqual(list(times[0])[:4], ["mode", *self.AXES, "quantity"])
 
     def test_are_compared_with_their_first_level_where_all_others_are_equal(self) -> None:
         _, comparisons = self.tables(self.rows(), self.AXES)
