@@ -119,7 +119,8 @@ TEST(Setting, ReachesAListAsAWholeOnly) {
   const std::string boxes = "[[world.box]]\nyaw_rad = 0\n[[world.box]]\nyaw_rad = 0\n";
   EXPECT_THAT(error_of([&] { (void)changed(boxes, {"world.box.yaw_rad=1"}); }),
               HasSubstr("world.box is not a table; the elements of a list cannot be set"));
-  TomlTable world = changed(boxes, {"world.box=[{yaw_rad=1}]"}).table("world");
+  const TomlDocument scenario = changed(boxes, {"world.box=[{yaw_rad=1}]"});
+  TomlTable world = scenario.table("world");
   EXPECT_EQ(world.tables("box").size(), 1U);
 }
 
