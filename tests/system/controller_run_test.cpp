@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::Process;
 using test::read_file;
+using testing::AllOf;
 using testing::HasSubstr;
 
 const fs::path kLibraries = fs::path{CARAVAN_BIN_DIR}.parent_path() / "tests/controllers";
