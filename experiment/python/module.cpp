@@ -113,7 +113,6 @@ PYBIND11_MODULE(_engine, module) {
       py::register_exception<runtime::ControllerFault>(module, "RunError", PyExc_RuntimeError);
   run_error.doc() = "A run has failed and cannot go on.";
   py::register_exception<world::PhysicsError>(module, "PhysicsError", run_error);
-  using Unlocked = py::call_guard<py::gil_scoped_release>;
   module.def(
       "read", [](const std::string& file) { return runtime::read_toml_file(file, "scenario file"); },
       "file"_a);
@@ -131,15 +130,16 @@ PYBIND11_MODULE(_engine, module) {
   py::class_<PythonRun>(module, "Run")
       .def(py::init([](const std::string& text, const std::string& file, const std::string& given,
                        const std::string& name) {
+             const py::gil_scoped_release unlocked;
              return std::make_unique<PythonRun>(runtime::TomlDocument::parse(text, file), given, name);
            }),
-           "text"_a, "file"_a, "given"_a, "name"_a, Unlocked())
+           "text"_a, "file"_a, "given"_a, "name"_a)
       .def(
           "go_on",
           [](PythonRun& run, std::uint64_t steps, std::int64_t until_ns) {
             return run.go_on(steps, Time{until_ns});
           },
-          "steps"_a, "until_ns"_a, Unlocked())
+          "steps"_a, "until_ns"_a, py::call_guard<py::gil_scoped_release>())
       .def("now_ns",
            [](PythonRun& run) { return run.look([](auto& r) { return r.engine().now().count(); }); })
       .def("finished", [](PythonRun& run) { return run.look([](auto& r) { return r.engine().finished(); }); })
