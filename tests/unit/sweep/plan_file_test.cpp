@@ -69,7 +69,7 @@ TEST_F(PlanFile, OfRowsHasThem) {
 
 TEST_F(PlanFile, ThatIsWrongIsRefusedAtItsLine) {
   const std::string factor = "[[factor]]\nkey = \"a.x\"\n";
-  EXPECT_THAT(refusal(""), HasSubstr("plan.toml: design: a plan needs a design"));
+  EXPECT_THAT(refusal(""), HasSubstr("plan.toml:1: design: a plan needs a design"));
   EXPECT_THAT(refusal("design = \"best\"\n"), HasSubstr("plan.toml:1: design: must be one of"));
   EXPECT_THAT(refusal("design = \"factorial\"\n"), HasSubstr("at least one [[factor]]"));
   EXPECT_THAT(refusal("design = \"factorial\"\n" + factor + "values = []\n"),
