@@ -109,8 +109,8 @@ void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
   sweep.add_option("--seeds", command.seeds, "Seeds, as in 1-30 or 1,4,7-9")->capture_default_str();
   sweep.add_option(
       "--modes", command.modes,
-      "Modes of communication, comma-separated; default: none,partial,full; with --set or --plan the "
-      "scenario's");
+      "Modes of communication, comma-separated; default: none,partial,full; with --set, --plan or a "
+      "controller other than paper the scenario's");
   add_engine(sweep, command.engine);
   add_changes(sweep, command.overrides);
   add_set(sweep, command.sets,

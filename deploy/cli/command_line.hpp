@@ -67,7 +67,7 @@ struct SweepCommand {
   std::filesystem::path scenario;
   std::string engine = "embedded";
   std::string seeds = "1-10";        ///< a list of numbers
-  std::optional<std::string> modes;  ///< input of read_modes(); none: all, with axes that of the scenario
+  std::optional<std::string> modes;  ///< input of read_modes(); none: see plan_sweep()
   Overrides overrides;               ///< for every run; neither mode nor seed
   std::vector<std::string> sets;     ///< axes: input of runtime::read_key_values()
   std::filesystem::path plan;        ///< input of read_plan(); empty: none

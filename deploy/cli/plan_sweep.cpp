@@ -11,6 +11,7 @@
 #include "experiment/sweep/plan_file.hpp"
 #include "robot_agent/controller/controllers.hpp"
 #include "runtime/config/number_list.hpp"
+#include "runtime/provenance/collect.hpp"
 #include "runtime/scenario/name.hpp"
 
 namespace caravan::deploy {
@@ -83,6 +84,16 @@ runtime::TomlDocument scenario_at(const Design& design, std::size_t point, const
   }
 }
 
+/// The SHA-256 of the file of the scenario's controller, which the plan lists then; empty: the paper's agent.
+std::string hash_of_controller(experiment::SweepPlan& plan, const runtime::TomlDocument& scenario) {
+  const std::string file = agent::controller_in(scenario);
+  if (file == agent::kPaper) return "";
+  const auto known = std::ranges::find(plan.controllers, file, &runtime::HashedFile::file);
+  if (known != plan.controllers.end()) return known->sha256;
+  plan.controllers.push_back(runtime::hashed(file));
+  return plan.controllers.back().sha256;
+}
+
 void refuse_size(std::size_t points, std::size_t runs_of_point) {
   if (points <= kMostRuns / runs_of_point) return;
   throw runtime::StartError{"the sweep has " + std::to_string(points) + " points of " +
@@ -107,19 +118,24 @@ experiment::SweepPlan plan_sweep(const SweepCommand& command) {
   Design design = read_design(command);
   refuse_clashes(design, command.overrides);
   make_controllers_absolute(design, command.scenario);
+  // The modes are the paper's: another controller is not told which it is.
+  const bool are_compared =
+      design.axes.empty() && controller_of(original, command.overrides) == agent::kPaper;
   plan.modes =
-      experiment::read_modes(command.modes.value_or(design.axes.empty() ? "none,partial,full" : facts.mode));
+      experiment::read_modes(command.modes.value_or(are_compared ? "none,partial,full" : facts.mode));
   refuse_size(design.points.size(), plan.modes.size() * plan.seeds.size());
   for (const experiment::Axis& axis : design.axes) plan.axes.push_back(axis.key);
   for (std::size_t point = 0; point < design.points.size(); ++point) {
     const auto scenario = scenario_at(design, point, plan.scenario_text, name);
     const std::string folder = experiment::folder_of(design, point);
+    const std::string controller_sha256 = hash_of_controller(plan, scenario);
     for (const std::string& mode : plan.modes) {
       for (const std::uint64_t seed : plan.seeds) {
         Overrides one;
         one.mode = mode;
         one.seed = seed;
-        plan.runs.push_back({mode, seed, effective_text(scenario, one), folder, design.points[point]});
+        plan.runs.push_back(
+            {mode, seed, effective_text(scenario, one), folder, design.points[point], controller_sha256});
       }
     }
   }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "deploy/launcher/run_dds.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <string>
 
+#include "deploy/launcher/last_error.hpp"
 #include "deploy/launcher/run_commands.hpp"
 #include "deploy/launcher/standstill.hpp"
 #include "deploy/observer/observer.hpp"
@@ -70,6 +73,15 @@ class DdsRun {
   /// Handles a process that ended by itself. Before the first step the run fails at once: no other process
   /// takes its place. It could not start then, unless the world has failed in that step.
   void take_end(const runtime::Ended& one);
+  /// Names agents that ended by themselves and whose ends have not been handled: shortly before the run's
+  /// end.
+  /// @param killed  names of processes that did not stop; null: none has been told to stop yet
+  void name_lost_agents(const std::vector<std::string>* killed);
+  [[nodiscard]] std::string error_of(const runtime::Ended& one) const {
+    return last_error_of(request_.folder / "logs" / (one.name + ".log"));
+  }
+  /// Process, way of its end, and its own reason.
+  [[nodiscard]] std::string in_words(const runtime::Ended& one) const;
   void check_start(Wall now);
   [[nodiscard]] bool have_last_statuses() const;
   [[nodiscard]] experiment::RunEnd so_far() const;
@@ -137,9 +149,30 @@ void DdsRun::look() {
   record_.keep_up([this] { return so_far(); });
 }
 
+std::string DdsRun::in_words(const runtime::Ended& one) const {
+  std::string text = one.name + " (pid " + std::to_string(one.pid) + ") " + runtime::how(one);
+  if (const std::string error = error_of(one); !error.empty()) text += ": " + error;
+  if (is_full(request_.folder)) text += "; no space is left in " + request_.folder.string();
+  return text;
+}
+
+void DdsRun::name_lost_agents(const std::vector<std::string>* killed) {
+  for (const runtime::Ended& one : children_.ended()) {
+    if (!one.name.starts_with("robot_agent")) continue;
+    bool is_lost = one.exit_code != runtime::kDone;
+    if (killed != nullptr) {
+      // Other programs may end in other ways when they are stopped, and so may one that has just started.
+      const bool was_killed = std::ranges::find(*killed, one.name) != killed->end();
+      is_lost = is_lost && one.exit_code != 128 + SIGTERM && !was_killed && request_.agent.empty();
+      // A controller in a call that does not return ends with success when its process is stopped.
+      is_lost = is_lost || (!was_killed && error_of(one).starts_with("controller "));
+    }
+    if (is_lost) std::fprintf(stderr, "%s\n", in_words(one).c_str());
+  }
+}
+
 void DdsRun::take_end(const runtime::Ended& one) {
-  std::string how = one.name + " (pid " + std::to_string(one.pid) + ") " + runtime::how(one);
-  if (is_full(request_.folder)) how += "; no space is left in " + request_.folder.string();
+  const std::string how = in_words(one);
   if (!stepped_) {
     if (!failure_.empty()) return;  // the first of several
     failure_ = how + ", and the run had not begun";
@@ -213,9 +246,13 @@ experiment::RunEnd DdsRun::so_far() const {
 int DdsRun::run() {
   start_everybody();
   follow();
-  for (const std::string& name : children_.stop(kStopPatience)) {
+  const bool names_lost = stepped_ && failure_.empty() && !interrupted_;
+  if (names_lost) name_lost_agents(nullptr);
+  const std::vector<std::string> killed = children_.stop(kStopPatience);
+  for (const std::string& name : killed) {
     std::fprintf(stderr, "%s did not stop within 1 s and was killed\n", name.c_str());
   }
+  if (names_lost) name_lost_agents(&killed);
   look();
   if (!failure_.empty()) std::fprintf(stderr, "%s\n", failure_.c_str());
   const int code = record_.close(so_far());

@@ -16,11 +16,23 @@ using Json = nlohmann::json;
 
 const std::string kFailureFile = "failure.txt";
 
+/// Empty: the paper's agent. @throws std::exception
+std::string controller_sha256_in(const Json& metrics) {
+  const Json& controller = metrics.at("provenance").at("controller");
+  return controller.is_null() ? "" : controller.at("sha256").get<std::string>();
+}
+
 /// @throws std::exception when a value is missing or has the wrong type
-RunRow row_in(const Json& metrics) {
+RunRow row_in(const Json& metrics, const PlannedRun& run) {
   if (!metrics.at("ended").get<bool>() || metrics.at("interrupted").get<bool>()) return {};
   if (const auto failure = metrics.at("failure").get<std::string>(); !failure.empty()) {
     return {.state = RunState::kFailed, .reason = failure};
+  }
+  if (!run.controller_sha256.empty() && controller_sha256_in(metrics) != run.controller_sha256) {
+    return {.state = RunState::kFailed,
+            .reason =
+                "the controller's file was another one than when the sweep began; put that one back and "
+                "use --retry-failed"};
   }
   return {.state = RunState::kDone,
           .digest = metrics.at("digest").get<std::string>(),
@@ -61,7 +73,7 @@ RunRow look_at(const fs::path& sweep_folder, const PlannedRun& run) {
   const Json read = Json::parse(*metrics, nullptr, false);
   if (read.is_discarded()) return {};  // half written because of a power failure: treated as not ended
   try {
-    return row_in(read);
+    return row_in(read, run);
   } catch (const std::exception& error) {
     return {.state = RunState::kFailed,
             .reason = file.filename().string() + " is not the output of a run: " + error.what()};

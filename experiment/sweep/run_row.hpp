@@ -28,8 +28,8 @@ struct RunRow {
 };
 
 /// The state of a run according to its folder: failed when note_failure() left a reason in it, or
-/// metrics.json contains a failure or values of the wrong type; done when metrics.json is complete; otherwise
-/// pending.
+/// metrics.json contains a failure, values of the wrong type or another controller file than the plan; done
+/// when metrics.json is complete; otherwise pending.
 ///
 /// @throws runtime::StartError when the folder holds a run of another scenario, or when one of its files, or
 /// the

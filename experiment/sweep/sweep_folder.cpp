@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -26,8 +27,9 @@ using Json = nlohmann::json;
 /// Longer than the runs of a killed sweep take to end.
 constexpr auto kPatience = 4s;
 
-[[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
-  throw runtime::StartError{folder.string() + ": " + why + "; choose another --out"};
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why,
+                         const std::string& or_else = "choose another --out") {
+  throw runtime::StartError{folder.string() + ": " + why + "; " + or_else};
 }
 
 /// Whether there is anything but what sweeps create first: logs, and files whose names begin with a dot.
@@ -39,15 +41,15 @@ bool holds_something(const fs::path& folder) {
 }
 
 /// Several tasks may write the same text at the same time, so each uses its own temporary name.
-void write_scenario(const fs::path& folder, const std::string& text) {
+void write_shared(const fs::path& folder, const std::string& name, const std::string& text) {
   std::array<char, 256> host{};
   gethostname(host.data(), host.size() - 1);
-  const fs::path fresh = folder / (std::string{".scenario."} + host.data() + "." + std::to_string(getpid()));
+  const fs::path fresh = folder / ("." + name + "." + host.data() + "." + std::to_string(getpid()));
   std::ofstream out{fresh};
   out << text;
   out.close();
   std::error_code error;
-  if (out) fs::rename(fresh, folder / "scenario.toml", error);
+  if (out) fs::rename(fresh, folder / name, error);
   if (!out || error) throw runtime::StartError{folder.string() + ": cannot be written"};
 }
 
@@ -70,11 +72,43 @@ void check_runs(const fs::path& folder, const std::string& written, const SweepP
   }
 }
 
+/// SHA-256 by file.
+using Hashes = std::map<std::string, std::string>;
+const std::string kControllersFile = "controllers.json";
+
+Hashes controllers_in(const fs::path& folder) {
+  const auto text = text_in(folder / kControllersFile);
+  if (!text) return {};
+  try {
+    return Json::parse(*text).get<Hashes>();
+  } catch (const Json::exception&) {
+    refuse(folder, "its " + kControllersFile + " cannot be read");
+  }
+}
+
+/// The content of a controller's file is no part of the scenario, so it is compared by itself.
+void check_and_note_controllers(const fs::path& folder, const SweepPlan& plan) {
+  const Hashes before = controllers_in(folder);
+  Hashes hashes = before;
+  for (const runtime::HashedFile& controller : plan.controllers) {
+    const auto [known, is_new] = hashes.emplace(controller.file, controller.sha256);
+    if (is_new || known->second == controller.sha256) continue;
+    refuse(folder,
+           "holds a sweep with another controller: " + controller.file + " was changed since (SHA-256 " +
+               known->second.substr(0, 12) + "... then, " + controller.sha256.substr(0, 12) + "... now)",
+           "choose another --out, or put the former file back");
+  }
+  if (hashes != before)
+    write_shared(folder, kControllersFile,
+                 Json(hashes).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
 void check_and_begin(const fs::path& folder, const SweepPlan& plan) {
   const auto scenario = text_in(folder / "scenario.toml");
   if (!scenario) {
     if (holds_something(folder)) refuse(folder, "is not empty and is not a sweep");
-    write_scenario(folder, plan.scenario_text);
+    write_shared(folder, "scenario.toml", plan.scenario_text);
+    check_and_note_controllers(folder, plan);
     return;
   }
   if (fs::exists(folder / "metrics.json")) refuse(folder, "holds a single run");
@@ -82,6 +116,7 @@ void check_and_begin(const fs::path& folder, const SweepPlan& plan) {
     refuse(folder, "holds a sweep of another scenario or with other options");
   }
   if (const auto written = text_in(folder / "sweep.json")) check_runs(folder, *written, plan);
+  check_and_note_controllers(folder, plan);
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ class SweepFolder {
  public:
   /// @param task  with Claim::kTask: the run's index in the plan
   /// @throws runtime::StartError when the folder cannot be written, when another process is working in it, or
-  ///         when its content does not belong to this sweep: the same scenario with the same options, and no
-  ///         run that is not in the plan. Runs may be added.
+  ///         when its content does not belong to this sweep: the same scenario with the same options and
+  ///         controllers, and no run that is not in the plan. Runs may be added.
   SweepFolder(std::filesystem::path folder, const SweepPlan& plan, Claim claim, runtime::Loop& loop,
               std::size_t task = 0);
 

@@ -87,6 +87,8 @@ std::string sweep_json(const SweepPlan& plan, std::span<const RunRow> rows, Swee
   Json json = {{"scenario", plan.scenario}, {"engine", plan.engine},   {"modes", plan.modes},
                {"seeds", plan.seeds},       {"state", to_text(state)}, {"runs", Json::array()}};
   if (!plan.axes.empty()) json["axes"] = plan.axes;
+  for (const runtime::HashedFile& controller : plan.controllers)
+    json["controllers"].push_back({{"file", controller.file}, {"sha256", controller.sha256}});
   for (std::size_t i = 0; i < plan.runs.size(); ++i) {
     Json run = {{"index", i},
                 {"mode", plan.runs[i].mode},

@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "build_paths.hpp"
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 using test::Process;
 using test::read_file;
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 const fs::path kLibraries = fs::path{CARAVAN_BIN_DIR}.parent_path() / "tests/controllers";
@@ -35,8 +37,9 @@ class ControllerRun : public testing::Test {
             const std::vector<std::string>& more) {
     const fs::path file = folder_ / "mine.toml";
     test::write_file(file, read_file(test::scenario("small.toml")) + "\n[controller]\n" + keys);
-    std::vector<std::string> words = {"caravan", "run",        file, "--engine", engine,  "--items",
-                                      "0",       "--max-time", "20", "--quiet",  "--out", folder_ / name};
+    std::vector<std::string> words = {"caravan", "run", file,      "--engine", engine,
+                                      "--items", "0",   "--quiet", "--out",    folder_ / name};
+    if (std::ranges::find(more, "--max-time") == more.end()) words.insert(words.end(), {"--max-time", "20"});
     words.insert(words.end(), more.begin(), more.end());
     Process process{words, folder_ / (name + ".log")};
     Ended ended{process.wait(test::kPatience), process.output(), {}};
@@ -170,8 +173,8 @@ TEST_F(ControllerRun, EndsAnEmbeddedRunThatAControllerBreaksAndClosesItsRecords)
   const std::vector<std::pair<std::string, std::string>> faults{
       {"throws", ""},
       {"nan", ""},
-      {"exits", ", step 40: has called exit()\n"},
-      {kHangs, ": a step has not returned for 10 s\n"}};
+      {"exits", ": has called exit()\n"},
+      {kHangs, " has not returned for 10 s\n"}};
   for (const auto& [fault, line] : faults) {
     const Ended ended = run("at_step = 40\nfault = \"" + fault + "\"\n", "embedded", fault,
                             {"--controller", kLibraries / "faulty.so"});
@@ -187,8 +190,8 @@ TEST_F(ControllerRun, GoesOnOverDdsWithoutTheRobotWhoseControllerFailed) {
   const std::vector<std::pair<std::string, std::string>> faults{
       {"throws", ""},
       {"nan", ""},
-      {"exits", ", step 40: has called exit()\n"},
-      {kHangs, ": a step has not returned for 10 s\n"}};
+      {"exits", ": has called exit()\n"},
+      {kHangs, " has not returned for 10 s\n"}};
   for (const auto& [fault, line] : faults) {
     const Ended ended = run("at_step = 40\nfault = \"" + fault + "\"\n", "dds", fault,
                             {"--controller", kLibraries / "faulty.so"});
@@ -197,6 +200,26 @@ TEST_F(ControllerRun, GoesOnOverDdsWithoutTheRobotWhoseControllerFailed) {
     EXPECT_THAT(log_of(fault, "robot_agent_2"),
                 AllOf(HasSubstr("controller faulty, robot 2"), HasSubstr(line)));
     EXPECT_EQ(ended.metrics["sim_time_s"], 20.0);
+    EXPECT_THAT(ended.said,
+                ContainsRegex("robot_agent_2 \\(pid [0-9]+\\) ended with exit code 1, its log says "
+                              "why: controller faulty, robot 2, step 40 \\(1\\.248 s\\): "));
+  }
+}
+
+TEST_F(ControllerRun, NamesTheControllerThatFailedWhenTheRunEndsAtOnce) {
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {"throws", "threw an exception: no such cell"},
+      {"nan", "wheel speeds nan"},
+      {"exits", "has called exit()"},
+      {"crashes", "ends the process by SIGSEGV"}};
+  for (const auto& [fault, said] : faults) {
+    const Ended ended = run("at_step = 90\nfault = \"" + fault + "\"\nlibrary = \"" +
+                                (kLibraries / "faulty.so").string() + "\"\n",
+                            "dds", fault, {"--max-time", "3"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.said;
+    EXPECT_THAT(ended.said, HasSubstr("controller faulty, robot 2, step 90 (2.848 s): " + said));
+    const std::string once = "controller faulty, robot 2";
+    EXPECT_EQ(ended.said.find(once), ended.said.rfind(once)) << ended.said;
   }
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "build_paths.hpp"
 #include "tests/system/support/process.hpp"
 
 namespace caravan {
@@ -202,6 +203,72 @@ TEST(Sweep, AFolderInPlaceOfAFileAndTheOtherWayRoundAreToldInOneLine) {
   EXPECT_EQ(read_file(folder / "run/none/seed_1"), "notes of mine");
   fs::create_directories(folder / "scenario/scenario.toml");
   EXPECT_THAT(refusal(folder / "scenario"), HasSubstr("scenario.toml: is a folder, not a file"));
+}
+
+/// Two runs of a controller from outside, a copy of one of the examples.
+class SweepOfAController : public testing::Test {
+ protected:
+  SweepOfAController() { fs::copy_file(kBraitenberg, controller_); }
+  /// Nothing in the library changes but the file. A new file: a run may have the old one open.
+  void change() const {
+    const std::string bytes = read_file(controller_);
+    fs::remove(controller_);
+    test::write_file(controller_, bytes + " ");
+  }
+  [[nodiscard]] std::vector<std::string> words(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words = {"caravan",
+                                      "sweep",
+                                      test::scenario("small.toml"),
+                                      "--items",
+                                      "0",
+                                      "--max-time",
+                                      "2",
+                                      "--jobs",
+                                      "1",
+                                      "--out",
+                                      folder_ / "out",
+                                      "--controller",
+                                      controller_};
+    if (std::ranges::find(more, "--seeds") == more.end()) words.insert(words.end(), {"--seeds", "1-2"});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  void expect_refused(const std::vector<std::string>& more) const {
+    Process process{words(more), folder_ / "refused.log"};
+    EXPECT_EQ(process.wait(kPatience), 2);
+    std::string said = process.output();
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+    EXPECT_THAT(said, HasSubstr("/out: holds a sweep with another controller: " + controller_.string() +
+                                " was changed since (SHA-256 "));
+    EXPECT_THAT(said, HasSubstr("choose another --out, or put the former file back"));
+  }
+
+  const fs::path kBraitenberg = fs::path{CARAVAN_BIN_DIR}.parent_path() / "controllers/braitenberg.so";
+  const test::ScratchFolder folder_;
+  const fs::path controller_ = folder_ / "mine.so";
+};
+
+TEST_F(SweepOfAController, IsNotContinuedWithAnotherOne) {
+  Process first{words(), folder_ / "first.log"};
+  ASSERT_EQ(first.wait(kPatience), 0) << first.output();
+  const auto controllers = state_of(folder_ / "out")["controllers"];
+  ASSERT_EQ(controllers.size(), 1U);
+  EXPECT_EQ(controllers[0]["file"], controller_.string());
+  EXPECT_EQ(controllers[0]["sha256"].get<std::string>().size(), 64U);
+
+  Process same{words(), folder_ / "same.log"};
+  EXPECT_EQ(same.wait(kPatience), 0) << same.output();
+  change();
+  expect_refused({});
+  expect_refused({"--seeds", "1-3"});
+  expect_refused({"--summarise"});
+}
+
+TEST_F(SweepOfAController, TakesNoTaskOfAnotherOne) {
+  Process first{words({"--task-index", "0"}), folder_ / "first.log"};
+  ASSERT_EQ(first.wait(kPatience), 0) << first.output();
+  change();
+  expect_refused({"--task-index", "1"});
 }
 
 TEST(Sweep, RefusesWhatItCannotGoOnWithInOneLine) {

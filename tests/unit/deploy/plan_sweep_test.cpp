@@ -44,6 +44,23 @@ TEST(SweepPlan, WithoutAxesHasAllModesAndNoPoints) {
   EXPECT_EQ(folder_of(plan.runs[1]), "none/seed_2");
 }
 
+TEST(SweepPlan, OfAControllerThatIsNotThePapersHasTheScenariosModeAndTheHashOfItsFile) {
+  const fs::path controller = fs::path{CARAVAN_BIN_DIR}.parent_path() / "controllers/braitenberg.so";
+  SweepCommand command = small({});
+  command.overrides.controller = controller;
+  const auto plan = plan_sweep(command);
+  EXPECT_THAT(plan.modes, ElementsAre("full"));
+  ASSERT_THAT(plan.controllers, SizeIs(1));
+  EXPECT_EQ(plan.controllers[0].file, controller.lexically_normal());
+  EXPECT_THAT(plan.controllers[0].sha256, SizeIs(64));
+  ASSERT_THAT(plan.runs, SizeIs(2));
+  EXPECT_EQ(plan.runs[1].controller_sha256, plan.controllers[0].sha256);
+
+  command.modes = "none,full";
+  EXPECT_THAT(plan_sweep(command).modes, ElementsAre("none", "full")) << "on demand";
+  EXPECT_THAT(plan_sweep(small({})).controllers, SizeIs(0));
+}
+
 TEST(SweepPlan, CrossesItsAxesAndTakesTheScenariosMode) {
   const auto plan = plan_sweep(small({"algorithm.vision_radius_m=2,4", "robots.count=2,3,4"}));
   EXPECT_THAT(plan.modes, ElementsAre("full"));
