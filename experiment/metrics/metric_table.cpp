@@ -187,10 +187,11 @@ const std::array kRobotMetrics{
                       "got 0.5 m away from its position at the start of the window, and exchanged nothing. A window begins at each "
                       "simulated second. The five times add up to `sim_time_s`",
                 .value = [](const RobotResult& robot) -> MetricValue { return in_seconds(robot.times.stuck); }, .heading = "   stuck"},
-    RobotMetric{.key = "idle_s", .unit = "s", .meaning = "time during which it reports none of these; an absent robot is idle",
+    RobotMetric{.key = "idle_s", .unit = "s", .meaning = "time during which it reports none of these; an absent robot is idle, and so is one whose controller reports nothing",
                 .value = [](const RobotResult& robot) -> MetricValue { return in_seconds(robot.times.idle); }, .heading = "    idle"},
     RobotMetric{.key = "longest_stuck_s", .unit = "s",
-                .meaning = "the longest uninterrupted part of `stuck_s`; above 300 the algorithm has failed",
+                .meaning = "the longest uninterrupted part of `stuck_s`. In the paper's experiment, more than 300 is a failure of the algorithm; "
+                           "for another controller it only says how long a robot stayed in one place",
                 .value = [](const RobotResult& robot) -> MetricValue { return in_seconds(robot.times.longest_stuck); }},
 };
 // clang-format on

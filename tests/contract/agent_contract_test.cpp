@@ -106,12 +106,12 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(AgentContractSuite, HasACaseForEveryRuleOrTheReasonWhyNot) {
   const Verdict list = judge({"--gtest_list_tests"});
-  const std::string page = read_file(CARAVAN_SOURCE_DIR "/docs/your_own_agent.md");
+  const std::string page = read_file(CARAVAN_SOURCE_DIR "/docs/agent_contract.md");
   for (int rule = 50; rule <= 68; ++rule) {
     std::smatch row;
     const std::string number = std::to_string(rule);
     ASSERT_TRUE(std::regex_search(page, row, std::regex{"\\n\\| P-" + number + " \\| ([^|]+) \\|"}))
-        << "P-" << number << " has no row in docs/your_own_agent.md";
+        << "P-" << number << " has no row in docs/agent_contract.md";
     const bool has_case = list.said.find("  P" + number) != std::string::npos;
     const bool has_reason = row[1].str().starts_with("nothing: ");
     EXPECT_NE(has_case, has_reason) << "P-" << number << ": " << row[1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// agent_contract: checks an agent against the rules P-50 to P-68 of docs/protocol.md. docs/your_own_agent.md
+// agent_contract: checks an agent against the rules P-50 to P-68 of docs/protocol.md. docs/agent_contract.md
 // says how it is used, and what the rules ask of an agent.
 #include <gtest/gtest.h>
 

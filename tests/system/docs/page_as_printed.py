@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Carries out a page of docs/ in the home of a user who has installed Caravan in ~/caravan: runs each command in one shell, writes the
-controller or the cells of a notebook that the page prints where it prints them, and runs a scenario with the table that it prints."""
+controller or the cells of a notebook that the page prints where it prints them, and runs a scenario with the table that it prints. A block whose first
+line names a file, as in ```cpp spinner_test.cpp, is written to that file."""
 
 import argparse
 import os
@@ -12,21 +13,25 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-PAGES = {"your_own_agent.md": "spinner.cpp", "python.md": "spinner.py", "notebooks.md": "study.py"}  # page -> the file for its code
+# page -> the file for its code; None: only its commands are run
+PAGES = {"your_own_agent.md": "spinner.cpp", "python.md": "spinner.py", "notebooks.md": "study.py", "agent_contract.md": None, "braitenberg.md": None,
+         "deployment_tests.md": None, "flocking.md": None, "pheromone.md": None}
 
 
-def blocks(page: str) -> list[tuple[str, str]]:
-    """Kind and text of each block of code, in the order of the page. A block of the kind text is printed by what comes before."""
-    return re.findall(r"^```(sh|cpp|python|toml|text)\n(.*?)^```$", (ROOT / "docs" / page).read_text(encoding="utf-8"), re.M | re.S)
+def blocks(page: str) -> list[tuple[str, str, str]]:
+    """Kind, file and text of each block of code, in the order of the page. A block of the kind text is printed by what comes before."""
+    found = re.findall(r"^```(sh|cpp|python|toml|text)(?: (\S+))?\n(.*?)^```$", (ROOT / "docs" / page).read_text(encoding="utf-8"), re.M | re.S)
+    kinds = ("sh", "cpp", "python", "toml", "text") if PAGES[page] else ("sh", "text")
+    return [(kind, file or PAGES[page], text) for kind, file, text in found if kind in kinds]
 
 
 def script(page: str) -> str:
     lines = ["set -ev"]
-    for kind, text in blocks(page):
+    for kind, file, text in blocks(page):
         if kind == "sh":
             lines.append(text)
         elif kind in ("cpp", "python"):
-            lines.append(f"cat >> {PAGES[page]} <<'END'\n{text}END")
+            lines.append(f"cat >> {file} <<'END'\n{text}END")
         elif kind == "toml":
             lines.append(f"cat ~/caravan/share/caravan/scenarios/small.toml - > mine.toml <<'END'\n{text}END")
             lines.append("caravan run mine.toml --engine embedded --items 0 --max-time 20 --quiet --out ~/mine")
@@ -49,11 +54,11 @@ def main() -> int:
         if done.returncode != 0:
             print(f"exit code {done.returncode}")
             return 1
-        scenario_runs = any(kind == "toml" for kind, _ in blocks(arguments.page))
+        scenario_runs = any(kind == "toml" for kind, _, _ in blocks(arguments.page))
         if scenario_runs and '"controller": "spinner"' not in (home / "mine/metrics.json").read_text(encoding="utf-8"):
             print("the scenario's controller did not run")
             return 1
-    missing = [line for kind, text in blocks(arguments.page) if kind == "text" for line in text.splitlines() if line not in done.stdout.splitlines()]
+    missing = [line for kind, _, text in blocks(arguments.page) if kind == "text" for line in text.splitlines() if line not in done.stdout.splitlines()]
     for line in missing:
         print(f"not printed: {line}")
     return 1 if missing else 0

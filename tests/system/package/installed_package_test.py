@@ -107,6 +107,15 @@ def check_links(prefix: pathlib.Path) -> None:
     expect(not broken, "\n".join(broken))
 
 
+def check_named_files(build: pathlib.Path, prefix: pathlib.Path) -> None:
+    """What the pages name as ~/caravan/... is there in the installed tree, and in the build tree, which can take its place."""
+    pages = "".join(page.read_text(encoding="utf-8") for page in prefix.rglob("*.md"))
+    named = sorted(set(re.findall(r"~/caravan/([\w./-]*\w)", pages)))
+    expect(len(named) > 8, str(named))
+    missing = [f"{tree}/{name}" for name in named for tree in (prefix, build) if not (tree / name).exists() and not (tree == build and name.startswith("include"))]
+    expect(not missing, "\n".join(missing))
+
+
 def check_texts(user: User, prefix: pathlib.Path) -> None:
     """Files that help, advice, units and containers name are installed."""
     texts = "".join(user.run(f"{prefix}/bin/{command} --help") for command in ("caravan run", "caravan", "caravan ctl", "agent_contract"))
@@ -135,6 +144,7 @@ def test(build: pathlib.Path, folder: pathlib.Path) -> None:
     prefix = (folder / "first").rename(folder / "second")
     check_paths(build, prefix)
     check_links(prefix)
+    check_named_files(build, prefix)
     (folder / "work").mkdir()
     user = User(build, prefix, folder / "work")
     check_headers(user, prefix)
