@@ -97,7 +97,7 @@ def with_interval(estimate: Estimate) -> str:
     decimals = 2 if "proportion" in estimate.statistic else 1
 
     def text(number: float | None) -> str:
-        return "-" if number is None else f"{round(number, decimals) + 0.0:.{decimals}f}".replace("inf", "unbounded")
+        return "-" if number is None else f"{round(number, decimals) + 0.0:.{decimals}f}".replace("-inf", "inf").replace("inf", "unbounded")
 
     number = " ".join(part for part in (estimate.relation.replace("=", ""), text(estimate.number)) if part)
     return number if estimate.low is None else f"{number} ({text(estimate.low)} to {text(estimate.high)})"
