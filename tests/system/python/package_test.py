@@ -36,6 +36,20 @@ class Spinner:
         return Outputs(left_mps=-0.2, right_mps=0.2, report=news)
 
 
+def press_ctrl_c(times):
+    """Once the run looks out for it, and again each time that it has been noticed."""
+    def press():
+        is_noticed = signal.default_int_handler  # by then
+        while signal.getsignal(signal.SIGINT) is is_noticed:
+            time.sleep(0.01)
+        for left in range(times, 0, -1):
+            time.sleep(0.1)
+            os.kill(os.getpid(), signal.SIGINT)
+            while left > 1 and signal.getsignal(signal.SIGINT) is not is_noticed:
+                time.sleep(0.01)
+    threading.Thread(target=press).start()
+
+
 class Scenarios(unittest.TestCase):
     def setUp(self):
         self.small = caravan.Scenario.load(support.SMALL)
@@ -147,6 +161,10 @@ class EmbeddedRuns(unittest.TestCase):
         with self.assertRaisesRegex(caravan.ScenarioError, "controller .*/no_such.py: there is no such file"):
             caravan.Run(self.short.changed({"controller.library": pathlib.Path("no_such.py")}))
 
+    def test_what_makes_no_controllers_is_refused(self):
+        with self.assertRaisesRegex(caravan.ScenarioError, "robot 1: cannot be made: .*gives a int, which has no function step"):
+            caravan.Run(self.short, controller=lambda robot, _: robot.id)
+
     def test_a_controller_cannot_look_at_its_own_run(self):
         class Curious:
             def __init__(self, *_):
@@ -161,8 +179,7 @@ class EmbeddedRuns(unittest.TestCase):
     def test_ctrl_c_comes_between_two_steps(self):
         for controller in (None, Spinner):
             run = caravan.Run(self.small.changed({"experiment.items": 0, "experiment.max_time_s": 1e6}), controller=controller)
-            timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
-            timer.start()
+            press_ctrl_c(1)
             with self.assertRaises(KeyboardInterrupt):
                 run.run()
             steps = round(run.now_s / 0.032)
@@ -182,8 +199,7 @@ class EmbeddedRuns(unittest.TestCase):
                 while True:
                     time.sleep(0.01)
         run = caravan.Run(self.short, controller=Endless)
-        for after_s in (0.2, 0.6):
-            threading.Timer(after_s, os.kill, (os.getpid(), signal.SIGINT)).start()
+        press_ctrl_c(2)
         with self.assertRaises(KeyboardInterrupt):
             run.run()
         self.assertIn("KeyboardInterrupt", run.metrics()["failure"])
@@ -250,4 +266,4 @@ class Frames(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    support.main()
+    unittest.main(verbosity=2)
