@@ -61,4 +61,4 @@ class Environment(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    support.main()
+    unittest.main(verbosity=2)
