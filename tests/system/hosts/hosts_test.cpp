@@ -18,6 +18,7 @@ using ::testing::IsEmpty;
 constexpr std::uint32_t kRobots = 15;
 constexpr std::uint32_t kOnHost2 = 7;
 constexpr auto kCutFor = 5s;
+
 class Hosts : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -73,8 +74,11 @@ TEST_F(Hosts, CutOffForLessThanTheLeaseOnlyPauseTheRun) {
   // After the first step: in the first, the world continues without a radio that does not come within 10 s.
   const FleetStatus begun = fleet.watch(on(1), [](const FleetStatus& now) { return now.steps > 1; });
   ASSERT_GT(begun.steps, 1U);
+  // In wall time, as the lease is, however busy the machine is.
+  const auto cut_at = std::chrono::steady_clock::now();
   network_.cut(3);
-  EXPECT_THAT(fleet.digest(kCutFor), IsEmpty()) << "it cannot go on without host 3";
+  (void)eventually([&] { return std::chrono::steady_clock::now() - cut_at > kCutFor; }, kPatience);
+  EXPECT_THAT(fleet.digest(0s), IsEmpty()) << "it cannot go on without host 3";
   network_.heal(3);
   EXPECT_EQ(fleet.digest(300s), digest_on_one_host("40")) << fleet.process("world_server").output();
 }
