@@ -73,7 +73,8 @@ int main(int argc, char** argv) {
       .numbers = {{"--robot", "Number of the robot, from 1", false, &one}},
       .texts = {
           {"--robots", "Several robots in this process: 1-15, or 1,3,5-8", &several},
-          {"--controller", "Their controller: paper, or a shared library (default: the scenario's)",
+          {"--controller",
+           "Their controller: paper, a shared library or a Python file (default: the scenario's)",
            &controller},
           {"--trace", "Existing folder for a record of their steps, for `caravan step-agent`", &trace}}};
   return runtime::run_process(

@@ -26,9 +26,9 @@ void add_changes(CLI::App& app, Overrides& overrides) {
   app.add_option("--robots", overrides.robots, "Number of robots");
   app.add_option("--items", overrides.items, "Deliveries that end the run; 0: only the time limit ends it");
   app.add_option("--max-time", overrides.max_time_s, "Simulated seconds after which the run ends");
-  app.add_option(
-      "--controller", overrides.controller,
-      "What drives the robots: paper, or a shared library; see " + runtime::page("your_own_agent.md"));
+  app.add_option("--controller", overrides.controller,
+                 "What drives the robots: paper, a shared library or a Python file; see " +
+                     runtime::page("your_own_agent.md"));
   app.add_option("--pacing", overrides.pacing, "fast, realtime or free")
       ->check(CLI::IsMember({"fast", "realtime", "free"}));
 }
@@ -148,12 +148,17 @@ void add_step_agent_options(CLI::App& step_agent, StepAgentCommand& command) {
   step_agent.add_option("--robot", command.robot, "Number of the robot, from 1")->required();
   step_agent
       .add_option("--controller", command.controller,
-                  "What answers in its place: paper, or a shared library; default: what the scenario says")
+                  "What answers in its place: paper, a shared library or a Python file; default: what the "
+                  "scenario says")
       ->check(complaint_about_name);
   step_agent
       .add_option("--scenario", command.scenario,
                   "Scenario with other parameters; default: that of the run, scenario.toml in its folder")
       ->check(complaint_about_name);
+  step_agent
+      .add_option("--step", command.step,
+                  "Show one step whole, from 1: what the robot was given, and both answers")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{std::numeric_limits<std::int64_t>::max()}));
 }
 
 void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
@@ -162,7 +167,9 @@ void add_deploy_options(CLI::App& deploy, DeployCommand& command) {
       ->check(complaint_about_name);
   deploy.add_option("--junit", command.junit, "Report in JUnit XML; default: junit.xml in the log folder")
       ->check(complaint_about_name);
-  deploy.add_option("--controller", command.controller, "What drives the robots: paper, or a shared library")
+  deploy
+      .add_option("--controller", command.controller,
+                  "What drives the robots: paper, a shared library or a Python file")
       ->check(complaint_about_name);
   add_set(deploy, command.sets);
   deploy.add_option("--domain", command.domain, "DDS domain; default: a free one")

@@ -61,6 +61,7 @@ struct StepAgentCommand {
   std::uint32_t robot = 0;
   std::optional<std::string> controller;          ///< "paper" or a path; none: the scenario's
   std::optional<std::filesystem::path> scenario;  ///< none: the run's
+  std::optional<std::uint64_t> step;              ///< from 1; none: the first that differs
 };
 
 struct SweepCommand {

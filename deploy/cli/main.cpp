@@ -144,6 +144,10 @@ int sweep(const deploy::SweepCommand& command) {
   return experiment::write_statistics(folder, command.quiet, loop) ? runtime::kInterrupted : code;
 }
 
+/// Whether somebody may type at the prompt of a debugger: standard input is a terminal, and this process may
+/// read from it.
+bool can_be_debugged() { return isatty(STDIN_FILENO) == 1 && tcgetpgrp(STDIN_FILENO) == getpgrp(); }
+
 int obey(const deploy::Exit& exit) { return exit.code; }
 int obey(const deploy::CheckCommand& command) { return check(command); }
 int obey(const deploy::NewCommand& command) { return write_new(command); }
@@ -157,9 +161,16 @@ int obey(const deploy::StepAgentCommand& command) {
   deploy::Overrides overrides;
   overrides.controller = command.controller;
   const std::string controller = deploy::controller_of(scenario, overrides);
-  (void)deploy::try_controllers(scenario, controller);
-  return experiment::step_agent(
-      {.run = command.run, .robot = command.robot, .scenario = scenario, .controller = controller}, stdout);
+  const bool has_deadline = !can_be_debugged();
+  // In a process of its own, which a debugger does not reach.
+  if (has_deadline) (void)deploy::try_controllers(scenario, controller);
+  return experiment::step_agent({.run = command.run,
+                                 .robot = command.robot,
+                                 .scenario = scenario,
+                                 .controller = controller,
+                                 .step = command.step,
+                                 .has_deadline = has_deadline},
+                                stdout);
 }
 int obey(const deploy::SweepCommand& command) { return sweep(command); }
 int obey(const deploy::ReportCommand& command) {

@@ -5,6 +5,7 @@
 
 #include "experiment/embedded/convert.hpp"
 #include "experiment/embedded/stopwatch.hpp"
+#include "experiment/metrics/csv_file.hpp"
 #include "radio_emulator/config/radio_config.hpp"
 #include "radio_emulator/medium/chain.hpp"
 #include "robot_agent/config/agent_config.hpp"
@@ -85,12 +86,14 @@ void Engine::sense() {
 }
 
 void Engine::answer() {
+  warnings_.clear();
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const auto robot = static_cast<std::uint32_t>(i + 1);
     caravan::Outputs outputs = [&] {
       const runtime::Calls::Call call{calls_};
       return agents_[i].step(inputs_[i]);
     }();
+    for (const std::string& warning : agents_[i].warnings()) warnings_.push_back(warning);
     inputs_[i].heard.clear();
     commands_[i] = to_command(outputs, wheel_limit_mps_, refusals_);
     transmissions_[i] = to_transmission(robot, outputs);
@@ -119,7 +122,8 @@ Refusals Engine::refusals() const {
 std::string Engine::call_in_words(std::uint64_t calls) const {
   const std::uint64_t call = calls / 2;
   return "controller " + controllers_.name() + ", robot " + std::to_string(call % agents_.size() + 1) +
-         ", step " + std::to_string(call / agents_.size() + 1);
+         ", step " + std::to_string(call / agents_.size() + 1) + " (" + fixed(in_seconds(world_.now()), 3) +
+         " s)";
 }
 
 std::string Engine::digest() const { return pure::digest(world_.chain(), radio_chain_.value()); }

@@ -44,13 +44,15 @@ class Engine {
   [[nodiscard]] Time now() const { return world_.now(); }
   /// Warning of the physics in the last step; empty: none.
   [[nodiscard]] const std::string& complaint() const { return world_.complaint(); }
+  /// Lines about what the radio drops of the last step's frames; each kind once.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   [[nodiscard]] std::string digest() const;
   /// Bytes that the last step added to the world's and to the radio's hash chain; valid until the next step.
   [[nodiscard]] std::span<const std::uint8_t> world_link() const { return world_.chain_link(); }
   [[nodiscard]] std::span<const std::uint8_t> radio_link() const { return radio_link_.view(); }
   /// Of controllers, for a CallWatch.
   [[nodiscard]] runtime::Calls& calls() { return calls_; }
-  /// What call number `calls` was.
+  /// What call number `calls` was, of the step at present.
   [[nodiscard]] std::string call_in_words(std::uint64_t calls) const;
   [[nodiscard]] const TimeSplit& time_split() const { return time_split_; }
   [[nodiscard]] Refusals refusals() const;
@@ -67,6 +69,7 @@ class Engine {
   agent::Controllers controllers_;
   std::vector<agent::Config> configs_;  // [0] is robot 1, as in all that follow
   std::vector<runtime::GuardedController> agents_;
+  std::vector<std::string> warnings_;
   runtime::Calls calls_;
   std::vector<caravan::Inputs> inputs_;
   std::vector<std::optional<world::Command>> commands_;

@@ -98,6 +98,7 @@ int run_embedded(const RunRequest& request) {
     while (!engine.finished() && !stopped && record.is_whole()) {
       record.observe(engine.step());
       if (!told && !engine.complaint().empty()) std::fprintf(stderr, "%s\n", engine.complaint().c_str());
+      for (const std::string& warning : engine.warnings()) std::fprintf(stderr, "%s\n", warning.c_str());
       told = told || !engine.complaint().empty();
       trace.record(engine);
       record.keep_up(so_far);

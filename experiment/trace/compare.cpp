@@ -2,31 +2,14 @@
 #include "experiment/trace/compare.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <charconv>
+
+#include "experiment/trace/text_of.hpp"
 
 namespace caravan::experiment {
 namespace {
 
 const std::string kNone = "none";
-
-std::string text_of(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-std::string text_of(std::uint64_t value) { return std::to_string(value); }
-std::string text_of(bool value) { return value ? "yes" : "no"; }
-std::string text_of(const std::vector<std::uint8_t>& bytes) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : bytes) {
-    text += kDigits[byte >> 4U];
-    text += kDigits[byte & 0xfU];
-  }
-  return text.empty() ? "empty" : text;
-}
 
 bool same(double one, double other) {
   return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);

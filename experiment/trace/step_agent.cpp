@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/trace/step_agent.hpp"
 
+#include <atomic>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "experiment/metrics/csv_file.hpp"
 #include "experiment/metrics/observation.hpp"
 #include "experiment/trace/compare.hpp"
+#include "experiment/trace/step_text.hpp"
 #include "experiment/trace/trace_reader.hpp"
 #include "robot_agent/config/agent_config.hpp"
 #include "robot_agent/controller/controllers.hpp"
@@ -67,11 +70,15 @@ class Candidate {
   explicit Candidate(const StepAgentRequest& request)
       : controllers_{request.scenario, request.controller},
         config_{agent::load_config(request.scenario, request.robot)},
-        controller_{controllers_.make_guarded(config_)} {}
+        controller_{controllers_.make_guarded(config_)} {
+    if (!request.has_deadline) return;
+    watch_.emplace(calls_,
+                   [this](std::uint64_t call, runtime::CallWatch::Reason reason) { give_up(call, reason); });
+  }
 
   /// @throws runtime::StartError when it fails
-  [[nodiscard]] caravan::Outputs step(caravan::Inputs& inputs) {
-    inputs.destination = controllers_.destination_in_sight(inputs.sensors, config_);
+  [[nodiscard]] caravan::Outputs step(const caravan::Inputs& inputs) {
+    now_ = inputs.now;
     const runtime::Calls::Call call{calls_};
     try {
       return controller_.step(inputs);
@@ -80,29 +87,54 @@ class Candidate {
     }
   }
   [[nodiscard]] const std::string& name() const { return controllers_.name(); }
+  /// A trace does not have it.
+  void add_destination(caravan::Inputs& inputs) const {
+    inputs.destination = controllers_.destination_in_sight(inputs.sensors, config_);
+  }
 
  private:
   [[noreturn]] void give_up(std::uint64_t call, runtime::CallWatch::Reason reason) const {
-    std::fprintf(stderr, "controller %s, robot %u, step %llu: %s\n", name().c_str(),
+    std::fprintf(stderr, "controller %s, robot %u, step %llu (%s s): %s\n", name().c_str(),
                  unsigned{config_.id.value}, static_cast<unsigned long long>(call / 2 + 1),
-                 to_text(reason).c_str());
+                 fixed(in_seconds(now_), 3).c_str(), to_text(reason).c_str());
     std::_Exit(runtime::kCouldNotStart);
   }
 
   agent::Controllers controllers_;
   agent::Config config_;
   runtime::GuardedController controller_;
+  std::atomic<caravan::Time> now_{};  // of the step that is called
   runtime::Calls calls_;
-  const runtime::CallWatch watch_{
-      calls_, [this](std::uint64_t call, runtime::CallWatch::Reason reason) { give_up(call, reason); }};
+  std::optional<runtime::CallWatch> watch_;
 };
 
-void tell(std::uint64_t step, caravan::Time now, const std::vector<Difference>& found, std::FILE* out) {
-  const Difference& first = found.front();
-  std::fprintf(out, "step %llu (%s s): robot %llu %s: %s | %s\n", static_cast<unsigned long long>(step),
-               fixed(in_seconds(now), 3).c_str(), static_cast<unsigned long long>(first.robot),
-               first.quantity.c_str(), first.one.c_str(), first.other.c_str());
-  if (found.size() > 1) std::fprintf(out, "%zu more values differ in this step\n", found.size() - 1);
+/// The beginning of the lines about a step.
+std::string step_in_words(std::uint64_t step, caravan::Time now, std::uint32_t robot) {
+  return "step " + std::to_string(step) + " (" + fixed(in_seconds(now), 3) + " s): robot " +
+         std::to_string(robot);
+}
+
+void tell(const std::string& step, const std::vector<Difference>& found, std::FILE* out) {
+  std::string text = step;
+  for (const Difference& one : found)
+    text += (&one == &found.front() ? " " : "; ") + one.quantity + ": " + one.one + " | " + one.other;
+  std::fprintf(out, "%s\n", text.c_str());
+}
+
+/// The last step of the comparison when one is wanted. @return the exit code
+int show(RobotTrace& trace, Candidate& candidate, const caravan::Inputs& inputs,
+         const StepAgentRequest& request, std::FILE* out) {
+  // First, for a controller that fails in this step.
+  std::fprintf(out, "%s was given\n%s", step_in_words(*request.step, inputs.now, request.robot).c_str(),
+               text_of(inputs).c_str());
+  std::fflush(out);
+  caravan::Outputs recorded;
+  const bool is_whole = trace.next_answer(recorded);
+  std::fprintf(out, "answer in the run\n%s", is_whole ? text_of(recorded).c_str() : "  none\n");
+  std::fflush(out);
+  const caravan::Outputs answer = candidate.step(inputs);
+  std::fprintf(out, "answer of controller %s\n%s", candidate.name().c_str(), text_of(answer).c_str());
+  return is_whole && differences(request.robot, recorded, answer).empty() ? 0 : 1;
 }
 
 }  // namespace
@@ -116,6 +148,8 @@ int step_agent(const StepAgentRequest& request, std::FILE* out) {
   caravan::Outputs recorded;
   std::uint64_t steps = 0;
   while (trace.next_inputs(inputs)) {
+    candidate.add_destination(inputs);
+    if (request.step == steps + 1) return show(trace, candidate, inputs, request, out);
     const caravan::Outputs answer = candidate.step(inputs);
     // Here the run was killed, or its controller failed. The step was taken nevertheless: this one might fail
     // as well.
@@ -125,12 +159,17 @@ int step_agent(const StepAgentRequest& request, std::FILE* out) {
       break;
     }
     ++steps;
+    if (request.step) continue;
     const auto found = differences(request.robot, recorded, answer);
     if (found.empty()) continue;
-    tell(steps, inputs.now, found, out);
+    tell(step_in_words(steps, inputs.now, request.robot), found, out);
     return 1;
   }
   if (steps == 0) throw runtime::StartError{file.string() + ": has no whole step"};
+  if (request.step) {
+    throw runtime::StartError{file.string() + ": has no step " + std::to_string(*request.step) +
+                              ", its steps are 1 to " + std::to_string(steps)};
+  }
   if (trace.cut_off())
     std::fprintf(out, "%s: is incomplete after step %llu\n", file.c_str(),
                  static_cast<unsigned long long>(steps));

@@ -26,7 +26,8 @@ Controllers::Controllers(const runtime::TomlDocument& scenario, const std::strin
   }
   runtime::TomlTable table = scenario_.table("controller");
   table.read("library", name_);
-  table.refuse_unknown();
+  for (const auto& [key, value] : table.rest())
+    table.fail(key, "unknown key; controller " + std::string{kPaper} + " has no keys");
   name_ = kPaper;
 }
 
@@ -42,7 +43,7 @@ runtime::GuardedController Controllers::make_guarded(const Config& config) const
   auto controller = make(config);
   const std::uint32_t robot = config.id.value;
   auto trace = trace_ ? std::make_unique<runtime::StepTrace>(*trace_, robot) : nullptr;
-  return {std::move(controller), name_, robot, std::move(trace)};
+  return {std::move(controller), name_, robot, {robot_of(config).radio, said_of_radio_}, std::move(trace)};
 }
 
 std::optional<Position> Controllers::destination_in_sight(const caravan::Sensors& sensors,

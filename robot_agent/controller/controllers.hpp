@@ -56,6 +56,7 @@ class Controllers {
   runtime::TomlDocument scenario_;
   std::string name_ = kPaper;
   TraceFolder trace_;
+  std::shared_ptr<runtime::RadioWatch::Said> said_of_radio_ = std::make_shared<runtime::RadioWatch::Said>();
   std::optional<runtime::LoadedController> loaded_;  // none: the paper's agent
 };
 

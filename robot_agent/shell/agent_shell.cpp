@@ -24,12 +24,6 @@ constexpr auto kLongStep = 2s;        // of a step of a controller
 constexpr auto kSayWaitingAfter = 1s;
 constexpr auto kSayWaitingAgain = 60s;
 
-/// It may return just now.
-const char* what_is_called(const HostedAgent* agent) {
-  const char* what = agent == nullptr ? nullptr : agent->called();
-  return what == nullptr ? "a call" : what;
-}
-
 }  // namespace
 
 AgentShell::AgentShell(const Controllers& controllers, const std::vector<Config>& configs,
@@ -191,8 +185,8 @@ const HostedAgent* AgentShell::called_agent() const {
 void AgentShell::end_process(runtime::CallWatch::Reason reason) const {
   const bool is_stop = reason == runtime::CallWatch::Reason::kStop;
   const HostedAgent* agent = called_agent();
-  spdlog::critical("controller {}, robot {}: {} {}", controllers_.name(),
-                   agent == nullptr ? 0 : agent->robot(), what_is_called(agent), to_text(reason));
+  spdlog::critical("controller {}, robot {}{} {}", controllers_.name(), agent == nullptr ? 0 : agent->robot(),
+                   agent == nullptr ? ": a call" : agent->call_in_words(), to_text(reason));
   spdlog::shutdown();
   std::_Exit(is_stop ? runtime::kDone : runtime::kFailed);  // a thread cannot be stopped otherwise
 }
@@ -205,8 +199,8 @@ std::unique_lock<std::timed_mutex> AgentShell::lock_or_end(bool is_stopping) {
     const HostedAgent* agent = called_agent();
     if (agent != nullptr && is_stopping) end_process(runtime::CallWatch::Reason::kStop);
     if (agent != nullptr && waited == kLongStep) {
-      spdlog::warn("controller {}, robot {}: {} has not returned for {} s", controllers_.name(),
-                   agent->robot(), what_is_called(agent), kLongStep / 1s);
+      spdlog::warn("controller {}, robot {}{} has not returned for {} s", controllers_.name(), agent->robot(),
+                   agent->call_in_words(), kLongStep / 1s);
     }
     (void)lock.try_lock_for(kWatchPeriod);
   }

@@ -20,6 +20,7 @@ namespace msg = caravan_interfaces::msg;
 namespace {
 
 constexpr auto kRadioPatience = std::chrono::seconds{1};
+constexpr const char* kStep = "a step";   // as a NotedCall
 constexpr std::size_t kMostHeard = 4096;  // bound of frames between two steps, when sensor frames are missing
 
 std::string in_words(const std::vector<std::uint8_t>& bytes) {
@@ -87,6 +88,7 @@ bool HostedAgent::follow_session(std::uint64_t session) {
   waiting_.reset();
   held_.reset();
   compute_ = {};
+  steps_ = 0;
   if (const auto early = std::exchange(early_, std::nullopt); early && early->session() == session_)
     take_in(*early);
   return true;
@@ -136,8 +138,10 @@ void HostedAgent::step(const msg::SensorFrame& frame) {
       .now = now_, .sensors = to_sensors(frame), .heard = std::exchange(heard_, {}), .destination = {}};
   inputs.destination = controllers_.destination_in_sight(inputs.sensors, config_);
   caravan::Outputs outputs;
+  ++steps_;
+  called_at_ = now_;
   try {
-    const NotedCall call{calls_, called_, "a step"};
+    const NotedCall call{calls_, called_, kStep};
     outputs = controller_->step(inputs);
   } catch (const runtime::ControllerFault& fault) {
     return break_off(fault.what());
@@ -145,6 +149,7 @@ void HostedAgent::step(const msg::SensorFrame& frame) {
     return break_off(error.what());
   }
   compute_ += std::chrono::steady_clock::now() - began;
+  for (const std::string& warning : controller_->warnings()) spdlog::warn("{}", warning);
   answer(outputs, frame);
 }
 
@@ -184,6 +189,14 @@ void HostedAgent::catch_up(Wall now) {
                  ++radio_timeouts_);
     step(msg::SensorFrame{*waiting_});
   }
+}
+
+std::string HostedAgent::call_in_words() const {
+  const char* what = called_;
+  if (what == nullptr) return ": a call";  // it may return just now
+  if (what != kStep) return std::string{": "} + what;
+  return fmt::format(", step {} ({:.3f} s):", steps_.load(),
+                     std::chrono::duration<double>(called_at_.load()).count());
 }
 
 void HostedAgent::halt() {

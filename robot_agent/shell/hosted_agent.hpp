@@ -45,6 +45,9 @@ class HostedAgent {
   [[nodiscard]] const std::string& fault() const { return fault_; }
   /// What of the controller is called at present, as "a step"; null: nothing. Thread-safe.
   [[nodiscard]] const char* called() const { return called_; }
+  /// What is called at present, to follow "controller mine, robot 3": ", step 40 (1.248 s):" or ": its
+  /// constructor". Thread-safe.
+  [[nodiscard]] std::string call_in_words() const;
 
  private:
   /// False: a frame of an old session. A newer session starts the agent from its initial state.
@@ -69,6 +72,8 @@ class HostedAgent {
   std::string fault_;
   runtime::Calls& calls_;
   std::atomic<const char*> called_ = nullptr;
+  std::atomic<std::uint64_t> steps_ = 0;   // of this controller, begun
+  std::atomic<Time> called_at_ = Time{0};  // of the last of them
   std::uint64_t radio_timeouts_ = 0;
   std::uint64_t refused_writes_ = 0;
   std::chrono::nanoseconds compute_{0};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -21,6 +22,7 @@ std::array<struct sigaction, kFaults.size()> previous{};
 struct Inside {
   const char* who = nullptr;  // null: outside
   std::uint64_t step = 0;
+  std::uint64_t now_ms = 0;
 };
 thread_local Inside inside;
 int code_of_exit = 0;
@@ -56,6 +58,11 @@ void name_it(const char* what, const char* name) {
   if (inside.step > 0) {
     line.add(", step ");
     line.add(inside.step);
+    line.add(" (");
+    line.add(inside.now_ms / 1000);
+    line.add(inside.now_ms % 1000 < 10 ? ".00" : inside.now_ms % 1000 < 100 ? ".0" : ".");
+    line.add(inside.now_ms % 1000);
+    line.add(" s)");
   } else {
     line.add(", its constructor");
   }
@@ -129,10 +136,11 @@ void name_crashing_controllers(int exit_code) {
   is_watched = is_done;
 }
 
-InsideController::InsideController(const char* who, std::uint64_t step) {
+InsideController::InsideController(const char* who, std::uint64_t step, std::chrono::nanoseconds now) {
   static const thread_local HandlerStack stack;
   if (is_watched && step > 0) come_before_dds();
-  inside = {who, step};
+  inside = {who, step,
+            static_cast<std::uint64_t>(std::chrono::round<std::chrono::milliseconds>(now).count())};
 }
 
 InsideController::~InsideController() { inside = {}; }

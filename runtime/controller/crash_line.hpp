@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 
 namespace caravan::runtime {
@@ -18,7 +19,8 @@ class InsideController {
  public:
   /// @param who   "controller mine, robot 3"; must outlive this object
   /// @param step  0: its constructor
-  InsideController(const char* who, std::uint64_t step);
+  /// @param now   simulated time of the step
+  InsideController(const char* who, std::uint64_t step, std::chrono::nanoseconds now = {});
   ~InsideController();
   InsideController(const InsideController&) = delete;
   InsideController& operator=(const InsideController&) = delete;

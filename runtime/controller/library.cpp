@@ -3,6 +3,10 @@
 
 #include <dlfcn.h>
 
+#include <array>
+#include <fstream>
+#include <string_view>
+
 #include "runtime/config/start_error.hpp"
 
 namespace caravan::runtime {
@@ -13,6 +17,14 @@ using EntryPoint = const ControllerLibrary* (*)();
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
   throw StartError{"controller " + file.string() + ": " + reason};
+}
+
+bool is_elf(const std::filesystem::path& file) {
+  std::array<char, 4> first{};
+  std::ifstream{file, std::ios::binary}.read(first.data(), first.size());
+  return std::string_view{first.data(), first.size()} ==
+         "\x7f"
+         "ELF";
 }
 
 /// The text of what dlopen() has just refused.
@@ -74,6 +86,7 @@ LoadedController load_controller(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file, error))
     refuse(file, std::filesystem::exists(file, error) ? "is not a file" : "there is no such file");
   if (file.extension() != ".py") {
+    if (!is_elf(file)) refuse(file, "is not a shared library; compile it first");
     const ControllerLibrary& library = load_library(file);
     return {.file = file, .library = &library, .name = library.name};
   }

@@ -6,6 +6,19 @@
 
 namespace caravan::runtime {
 
+namespace {
+
+/// The keys that the controller asked for; `library` is read for it.
+std::string keys_of(const std::string& name, const Parameters& parameters) {
+  std::string keys;
+  for (const std::string& key : parameters.known()) {
+    if (key != "library") keys += (keys.empty() ? "" : ", ") + key;
+  }
+  return "controller " + pure::one_line(name) + (keys.empty() ? " has no keys" : " has: " + keys);
+}
+
+}  // namespace
+
 std::unique_ptr<Controller> make_controller(const LoadedController& loaded, const Robot& robot,
                                             TomlTable table) {
   auto values = table.rest();
@@ -24,7 +37,8 @@ std::unique_ptr<Controller> make_controller(const LoadedController& loaded, cons
   } catch (...) {
     throw StartError{who + ": cannot be made: its constructor threw something that is no std::exception"};
   }
-  for (const std::string& key : parameters.unknown()) table.fail(key, "unknown key");
+  for (const std::string& key : parameters.unknown())
+    table.fail(key, "unknown key; " + keys_of(loaded.name, parameters));
   return controller;
 }
 

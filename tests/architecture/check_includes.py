@@ -57,7 +57,7 @@ ALLOWED = {
                           "robot_agent/controller", "world_server"],
     "experiment/trace": [STD, EIGEN, JSON, CONTROLLER, *CONFIG, "runtime/trace", "runtime/process", "experiment/metrics",
                          "experiment/run_request.hpp", "robot_agent/config", "robot_agent/controller", "runtime/controller"],
-    "experiment/sweep": [STD, POSIX, JSON, TOML, "runtime/config", "runtime/pure", "runtime/process", "runtime/host/children.hpp", "experiment/metrics"],
+    "experiment/sweep": [STD, POSIX, JSON, TOML, "runtime/config", "runtime/pure", "runtime/process", "runtime/provenance/provenance.hpp", "runtime/host/children.hpp", "experiment/metrics"],
     "experiment/report": [STD, POSIX, "runtime/config", "runtime/process"],
     "deploy/observer": [*PROCESS, DDS, ROBOT_TYPES, TRUTH_TYPES, "experiment/metrics"],
     "deploy/launcher": [*PROCESS, DDS, TRUTH_TYPES, "deploy/observer", "experiment/metrics", "experiment/run_request.hpp"],

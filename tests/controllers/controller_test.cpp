@@ -62,17 +62,20 @@ TEST(Controllers, ReadTheirOwnKeysStrictly) {
   EXPECT_EQ(refusal(with_library("chatterer", "cruise_mps = -1\n")),
             "mine.toml:7: controller.cruise_mps: must be from 0 to 1, is -1");
   EXPECT_EQ(refusal(with_library("chatterer", "cruise = 0.3\n")),
-            "mine.toml:7: controller.cruise: unknown key");
+            "mine.toml:7: controller.cruise: unknown key; controller chatterer has: cruise_mps");
+  EXPECT_EQ(refusal(with_library("faulty", "fault = \"default\"\n")),
+            "mine.toml:5: controller.gain: its default is 3, outside its own limits: 0 to 2");
   EXPECT_THAT(refusal(with_library("chatterer", "cruise_mps = {}\n")),
               StartsWith("mine.toml:7: controller.cruise_mps: must be"));
-  EXPECT_EQ(refusal(scenario("cruise_mps = 0.3\n")), "mine.toml:6: controller.cruise_mps: unknown key")
+  EXPECT_EQ(refusal(scenario("cruise_mps = 0.3\n")),
+            "mine.toml:6: controller.cruise_mps: unknown key; controller paper has no keys")
       << "the paper's agent has its keys elsewhere";
 }
 
 TEST(Controllers, NameALibraryThatCannotBeUsed) {
   EXPECT_THAT(refusal(with_library("missing")), HasSubstr("missing.so: there is no such file"));
   EXPECT_THAT(refusal(scenario("library = \"" + std::string{CARAVAN_SOURCE_DIR} + "/README.md\"\n")),
-              HasSubstr("README.md: cannot be loaded: "));
+              HasSubstr("README.md: is not a shared library; compile it first"));
   EXPECT_THAT(refusal(with_library("no_entry")), HasSubstr("add CARAVAN_CONTROLLER(Class, \"name\")"));
   EXPECT_THAT(refusal(with_library("other_interface")),
               HasSubstr("was built for version 2 of the controller interface, this program has version 1"));
@@ -93,6 +96,51 @@ TEST(Controllers, ThatFailAreNamedWithRobotAndStep) {
   EXPECT_EQ(fault_of("throws_a_number"),
             "controller faulty, robot 2, step 3 (0.064 s): threw something that is no std::exception");
   EXPECT_THAT(fault_of("nan"), HasSubstr("step 3 (0.064 s): wheel speeds nan and 0.1"));
+  EXPECT_EQ(
+      fault_of("event"),
+      "controller faulty, robot 2, step 3 (0.064 s): the name of an event, \"Hello\\nworld\", is not in "
+      "lower_snake_case");
+}
+
+/// The outputs of robot 2 in step 3, and what was said by then, when all that a radio drops is sent twice.
+struct Third {
+  caravan::Outputs outputs;
+  std::vector<std::string> warnings;
+};
+Third third_step(const Controllers& controllers, const runtime::TomlDocument& document) {
+  auto controller = controllers.make_guarded(load_config(document, 2));
+  Third third;
+  for (int step = 0; step < 3; ++step) {
+    third.outputs = controller.step(
+        {.now = step * std::chrono::milliseconds{32}, .sensors = {}, .heard = {}, .destination = {}});
+    third.warnings.insert(third.warnings.end(), controller.warnings().begin(), controller.warnings().end());
+  }
+  return third;
+}
+
+TEST(Controllers, AreToldOnceOfEachKindOfFrameThatTheRadioDrops) {
+  const std::vector<std::pair<std::string, std::string>> faults = {
+      {"long_frame", "the radio drops a frame of 5000 bytes: radio.mtu_bytes is 250"},
+      {"bad_channel", "the radio drops a frame on channel 4294967295: the channels are 0 to 1048575"},
+      {"bad_tuned",
+       "nothing is heard on channel 4294967295, which it tunes to: the channels are 0 to 1048575"}};
+  for (const auto& [fault, said] : faults) {
+    const auto document = with_library("faulty", "fault = \"" + fault + "\"\n");
+    const Controllers controllers{document};
+    EXPECT_THAT(third_step(controllers, document).warnings,
+                testing::ElementsAre("controller faulty, robot 2, step 3 (0.064 s): " + said +
+                                     "; this is said once"));
+    EXPECT_THAT(third_step(controllers, document).warnings, testing::IsEmpty()) << "by the next controller";
+  }
+  const auto sound = with_library("faulty");
+  EXPECT_THAT(third_step(Controllers{sound}, sound).warnings, testing::IsEmpty());
+}
+
+TEST(Controllers, HaveNoControlCharactersInTheDetailsOfTheirEvents) {
+  const auto document = with_library("faulty", "fault = \"detail\"\n");
+  const Third third = third_step(Controllers{document}, document);
+  ASSERT_TRUE(third.outputs.report);
+  EXPECT_EQ(third.outputs.report->events[0].detail, "a\\nb");
 }
 
 caravan::Inputs inputs_at(int step, double ahead_m) {

@@ -16,6 +16,7 @@ class Faulty final : public caravan::Controller {
       : fault_{robot.id == 2 ? parameters.text("fault", "none") : "none"},
         at_step_{parameters.integer("at_step", 3, {1, 1e9})} {
     (void)parameters.text("fault", "none");
+    if (fault_ == "default") (void)parameters.number("gain", 3.0, {0.0, 2.0});
     if (fault_ == "constructor") throw std::runtime_error{"no map"};
     if (fault_ == "constructor_hangs") hang();
     if (fault_ == "constructor_aborts") std::abort();
@@ -28,6 +29,12 @@ class Faulty final : public caravan::Controller {
     if (++step_ != at_step_) return outputs;
     if (fault_ == "throws") throw std::out_of_range{"no such cell"};
     if (fault_ == "throws_a_number") throw 42;
+    if (fault_ == "event") outputs.report.emplace().events.push_back({"Hello\nworld", ""});
+    if (fault_ == "detail") outputs.report.emplace().events.push_back({"said", "a\nb"});
+    if (fault_ == "long_frame")
+      outputs.frames = {{0, std::vector<std::uint8_t>(5000)}, {0, std::vector<std::uint8_t>(5001)}};
+    if (fault_ == "bad_channel") outputs.frames = {{0xffffffff, {1}}};
+    if (fault_ == "bad_tuned") outputs.tuned_channel = 0xffffffff;
     if (fault_ == "nan") outputs.left_mps = std::numeric_limits<double>::quiet_NaN();
     if (fault_ == "exits") std::exit(0);
     if (fault_ == "hangs") hang();

@@ -56,11 +56,31 @@ TEST(Parameters, RefuseAnotherTypeAndAValueOutsideTheLimits) {
             "weights: must be from 0 to 1.5, is 2");
 }
 
+TEST(Parameters, RefuseADefaultOutsideItsOwnLimits) {
+  EXPECT_EQ(refusal([](Parameters& p) {
+              (void)p.number("missing", 3.0, {0.0, 2.0});
+            }),
+            "missing: its default is 3, outside its own limits: 0 to 2");
+  EXPECT_EQ(refusal([](Parameters& p) {
+              (void)p.integer("count", 0, {1, 9});
+            }),
+            "count: its default is 0, outside its own limits: 1 to 9")
+      << "also when the scenario has the key";
+  EXPECT_EQ(refusal([](Parameters& p) {
+              (void)p.numbers("missing", {1.0, 3.0}, {0.0, 2.0});
+            }),
+            "missing: its default is 3, outside its own limits: 0 to 2");
+  EXPECT_EQ(
+      refusal([](Parameters& p) { (void)p.number("missing", std::numeric_limits<double>::infinity()); }), "")
+      << "without limits";
+}
+
 TEST(Parameters, KnowWhichKeysNobodyHasAskedFor) {
   Parameters parameters = some();
   (void)parameters.number("gain", 1.0);
   (void)parameters.text("name", "");
   EXPECT_THAT(parameters.unknown(), ElementsAre("count", "on", "weights"));
+  EXPECT_THAT(parameters.known(), ElementsAre("gain", "name"));
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ TEST_F(PythonController, ReadsItsKeysStrictly) {
   EXPECT_EQ(refusal("chatterer", "cruise_mps = 0.3\n"), "");
   EXPECT_EQ(refusal("chatterer", "cruise_mps = -1\n"),
             "mine.toml:6: controller.cruise_mps: must be from 0 to 1, is -1");
-  EXPECT_EQ(refusal("chatterer", "cruise = 0.3\n"), "mine.toml:6: controller.cruise: unknown key");
+  EXPECT_EQ(refusal("chatterer", "cruise = 0.3\n"),
+            "mine.toml:6: controller.cruise: unknown key; controller chatterer has: cruise_mps");
   EXPECT_EQ(refusal("faulty", "fault = \"parameter\"\n"),
             "mine.toml:6: controller.fault: must be another one");
 }

@@ -24,8 +24,9 @@ class Controller {
 
   /// One step, every 32 ms unless the scenario says otherwise. Time does not go back.
   ///
-  /// Wheel speeds that are not finite, and an exception, end the controller of this robot: the program says
-  /// so by name, robot and step. A step that does not return within 10 s is ended as well.
+  /// Wheel speeds that are not finite, an event whose name is not in lower_snake_case, and an exception, end
+  /// the controller of this robot: the program says so by name, robot and step. A step that does not return
+  /// within 10 s is ended as well. Control characters in the detail of an event are escaped.
   [[nodiscard]] virtual Outputs step(const Inputs& inputs) = 0;
 };
 

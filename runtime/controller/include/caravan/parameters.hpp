@@ -37,7 +37,7 @@ struct Limits {
 /// The constructor of a controller asks for every key that it knows. A key of the scenario that it has not
 /// asked for ends the program before the run: it may be misspelt.
 ///
-/// @throws ParameterError for a value of another type, or outside the limits
+/// @throws ParameterError for a value of another type, or outside the limits, and for a default outside them
 class Parameters {
  public:
   using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
@@ -46,6 +46,7 @@ class Parameters {
   explicit Parameters(std::map<std::string, Value> values) : values_{std::move(values)} {}
 
   [[nodiscard]] double number(const std::string& key, double otherwise, Limits limits = {}) {
+    check_default(key, otherwise, limits);
     const Value* value = find(key);
     if (value == nullptr) return otherwise;
     if (const auto* whole = std::get_if<std::int64_t>(value))
@@ -54,6 +55,7 @@ class Parameters {
     throw ParameterError{key, "must be a number"};
   }
   [[nodiscard]] std::int64_t integer(const std::string& key, std::int64_t otherwise, Limits limits = {}) {
+    check_default(key, static_cast<double>(otherwise), limits);
     const Value* value = find(key);
     if (value == nullptr) return otherwise;
     const auto* whole = std::get_if<std::int64_t>(value);
@@ -69,11 +71,16 @@ class Parameters {
   }
   [[nodiscard]] std::vector<double> numbers(const std::string& key, const std::vector<double>& otherwise,
                                             Limits limits = {}) {
+    for (const double value : otherwise) check_default(key, value, limits);
     std::vector<double> values = get(key, otherwise, "must be a list of numbers");
-    for (const double value : values) (void)within(key, value, limits);
+    if (values_.contains(key)) {
+      for (const double value : values) (void)within(key, value, limits);
+    }
     return values;
   }
 
+  /// Keys that somebody has asked for.
+  [[nodiscard]] const std::set<std::string>& known() const { return asked_; }
   /// Keys that nobody has asked for.
   [[nodiscard]] std::vector<std::string> unknown() const {
     std::vector<std::string> keys;
@@ -95,6 +102,14 @@ class Parameters {
     if (value == nullptr) return otherwise;
     if (const T* right = std::get_if<T>(value)) return *right;
     throw ParameterError{key, demand};
+  }
+  /// A limit that was not given does not count.
+  static void check_default(const std::string& key, double value, Limits limits) {
+    const bool is_low = limits.low > Limits{}.low && value < limits.low;
+    const bool is_high = limits.high < Limits{}.high && value > limits.high;
+    if (is_low || is_high)
+      throw ParameterError{key, "its default is " + short_text(value) + ", outside its own limits: " +
+                                    short_text(limits.low) + " to " + short_text(limits.high)};
   }
   static double within(const std::string& key, double value, Limits limits) {
     if (value >= limits.low && value <= limits.high) return value;
