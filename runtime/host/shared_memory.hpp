@@ -14,8 +14,8 @@ namespace caravan::runtime {
 /// Whether a running process, of any user, has a DDS port of the domain open or mapped: the domain is in use.
 [[nodiscard]] bool has_living_ports(std::uint32_t domain);
 /// Removes the domain's DDS port files that no running process has open or mapped. A process that is killed
-/// while it creates a port leaves one at which every later participant of the domain would hang. Processes may
-/// start in the domain meanwhile.
+/// while it creates a port leaves one at which every later participant of the domain would hang. Processes
+/// may start in the domain meanwhile.
 void remove_dead_ports(std::uint32_t domain, const std::filesystem::path& folder = "/dev/shm");
 
 struct LeftFile {
@@ -24,8 +24,8 @@ struct LeftFile {
 };
 
 /// DDS files, of any domain or program, that the present user may remove and that no running process has
-/// open, mapped or locked, including containers. Files created within the last minute are skipped: a process may be
-/// starting.
+/// open, mapped or locked, including containers. Files created within the last minute are skipped: a process
+/// may be starting.
 [[nodiscard]] std::vector<LeftFile> left_by_the_dead(const std::filesystem::path& folder = "/dev/shm");
 /// Removes these files. @return how many
 std::size_t remove_left_by_the_dead(const std::filesystem::path& folder = "/dev/shm");
