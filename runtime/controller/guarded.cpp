@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/controller/guarded.hpp"
 
-#include <cmath>
 #include <cstdio>
 
 #include "runtime/controller/crash_line.hpp"
-#include "runtime/pure/one_line.hpp"
+#include "runtime/controller/floating_point.hpp"
+#include "runtime/controller/outputs_check.hpp"
+#include "runtime/controller/thrown.hpp"
 
 namespace caravan::runtime {
 
@@ -19,20 +20,23 @@ Outputs GuardedController::step(const Inputs& inputs) {
   ++steps_;
   now_ = inputs.now;
   if (trace_) trace_->ask(inputs);
-  Outputs outputs;
+  Outputs outputs = call(inputs);
+  if (const std::string fault = fault_in(outputs, now_); !fault.empty())
+    throw ControllerFault{where() + ": " + fault};
+  if (trace_) trace_->answer(outputs);
+  return outputs;
+}
+
+Outputs GuardedController::call(const Inputs& inputs) {
   const InsideController inside{who_.c_str(), steps_};
   try {
-    outputs = controller_->step(inputs);
+    const KeptFloatingPoint kept;
+    return controller_->step(inputs);
   } catch (const std::exception& error) {
-    throw ControllerFault{where() + ": threw an exception: " + pure::one_line(error.what())};
+    throw ControllerFault{where() + ": threw an exception: " + text_of(error)};
   } catch (...) {
     throw ControllerFault{where() + ": threw something that is no std::exception"};
   }
-  if (!std::isfinite(outputs.left_mps) || !std::isfinite(outputs.right_mps))
-    throw ControllerFault{where() + ": wheel speeds " + std::to_string(outputs.left_mps) + " and " +
-                          std::to_string(outputs.right_mps) + " m/s are not finite"};
-  if (trace_) trace_->answer(outputs);
-  return outputs;
 }
 
 }  // namespace caravan::runtime

@@ -26,7 +26,7 @@ class GuardedController {
         who_{"controller " + pure::one_line(name) + ", robot " + std::to_string(robot)},
         trace_{std::move(trace)} {}
 
-  /// @throws ControllerFault when the controller throws, or its wheel speeds are not finite
+  /// @throws ControllerFault when the controller throws, or its outputs exceed the limits of the interface
   /// @throws WriteError when the trace cannot be written
   [[nodiscard]] Outputs step(const Inputs& inputs);
 
@@ -34,6 +34,8 @@ class GuardedController {
   [[nodiscard]] std::string where() const;
 
  private:
+  [[nodiscard]] Outputs call(const Inputs& inputs);
+
   std::unique_ptr<Controller> controller_;
   std::string who_;
   std::unique_ptr<StepTrace> trace_;
