@@ -59,6 +59,22 @@ experiment::AgentReport to_report(std::uint32_t robot, const msg::Telemetry& tel
   return report;
 }
 
+bool is_within_limits(const msg::Telemetry& telemetry) {
+  constexpr double kLongest_s = 1e9;
+  const auto is_near = [](const msg::PathPoint& point) {
+    return std::abs(point.x_m()) <= kFarthest_m && std::abs(point.y_m()) <= kFarthest_m;
+  };
+  const auto has_times = [](const msg::ExchangeReport& exchange) {
+    return exchange.began_s() >= 0.0 && exchange.ended_s() >= exchange.began_s() &&
+           exchange.ended_s() <= kLongest_s;
+  };
+  return telemetry.mode() <= msg::Telemetry_Constants::MODE_TRANSPORT &&
+         telemetry.activity() <= msg::Telemetry_Constants::ACTIVITY_EXCHANGING &&
+         telemetry.origin() <= msg::Telemetry_Constants::ORIGIN_RECEIVED &&
+         std::ranges::all_of(telemetry.path(), is_near) &&
+         std::ranges::all_of(telemetry.exchanges(), has_times);
+}
+
 }  // namespace
 
 bool StepBook::follow_session(std::uint64_t session) {
@@ -119,14 +135,18 @@ void StepBook::give_out() {
 }
 
 void StepBook::add(std::uint32_t robot, const msg::Telemetry& telemetry) {
-  const bool is_known = telemetry.mode() <= msg::Telemetry_Constants::MODE_TRANSPORT &&
-                        telemetry.activity() <= msg::Telemetry_Constants::ACTIVITY_EXCHANGING &&
-                        telemetry.origin() <= msg::Telemetry_Constants::ORIGIN_RECEIVED;
-  if (!is_known || !follow_session(telemetry.session())) return;
+  if (!follow_session(telemetry.session())) return;
   const experiment::Time stamp = idl::to_time(telemetry.stamp());
   agent_compute_s_[robot] = telemetry.compute_s();
   heard_until_[robot] = std::max(heard_until_[robot], stamp);
-  reports_.emplace(stamp, to_report(robot, telemetry));
+  if (is_within_limits(telemetry)) {
+    reports_.emplace(stamp, to_report(robot, telemetry));
+  } else if (refused_.insert(robot).second) {
+    spdlog::warn(
+        "telemetry refused robot={} t={:.3f}: a value is none of its enumeration, not finite or too large; "
+        "the records go on without such reports",
+        robot, experiment::in_seconds(stamp));
+  }
   give_out();
 }
 

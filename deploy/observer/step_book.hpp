@@ -4,6 +4,7 @@
 #include <deque>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "experiment/metrics/observation.hpp"
@@ -51,7 +52,8 @@ class StepBook {
   std::optional<runtime::WallTime> waiting_since_;                    // for a report
   std::multimap<experiment::Time, experiment::AgentReport> reports_;  // of steps that are not complete
   std::map<std::uint32_t, experiment::Time> heard_until_;             // each robot's latest report
-  std::map<std::uint32_t, double> agent_compute_s_;                   // of every robot that has reported
+  std::set<std::uint32_t> refused_;                  // robots whose refused report was logged
+  std::map<std::uint32_t, double> agent_compute_s_;  // of every robot that has reported
 };
 
 }  // namespace caravan::deploy

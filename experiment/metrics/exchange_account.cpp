@@ -12,7 +12,7 @@ constexpr Time kSameSession = std::chrono::seconds{60};
 
 void ExchangeAccount::add(std::uint32_t robot, const Exchange& exchange) {
   ++reports_;
-  stood_ += exchange.ended - exchange.began;
+  stood_ns_ += static_cast<double>((exchange.ended - exchange.began).count());
   if (exchange.session == 0) {
     ++(exchange.completed ? completed_ : failed_);
     return;
@@ -32,7 +32,7 @@ void ExchangeAccount::add(std::uint32_t robot, const Exchange& exchange) {
 }
 
 double ExchangeAccount::mean_duration_s() const {
-  return reports_ == 0 ? 0.0 : in_seconds(stood_) / static_cast<double>(reports_);
+  return reports_ == 0 ? 0.0 : stood_ns_ / 1e9 / static_cast<double>(reports_);
 }
 
 }  // namespace caravan::experiment

@@ -32,7 +32,7 @@ class ExchangeAccount {
   std::uint64_t completed_ = 0;
   std::uint64_t failed_ = 0;
   std::uint64_t reports_ = 0;
-  Time stood_{0};
+  double stood_ns_ = 0.0;  // exact up to 2^53, and does not overflow
 };
 
 }  // namespace caravan::experiment

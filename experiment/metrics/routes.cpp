@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiment/metrics/routes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kSameRoute_m = 3.0;
 constexpr double kSpacing_m = 0.25;
+constexpr double kMostPieces = 4000.0;  // of one path: 1 km at this spacing
 
 double distance_m(const Place& a, const Place& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
 
@@ -81,7 +83,8 @@ bool is_frechet_below(std::span<const Place> a, std::span<const Place> b, double
 std::size_t count_routes(std::span<const std::vector<Place>> paths) {
   std::vector<std::vector<Place>> fine;
   for (const auto& path : paths) {
-    if (!path.empty()) fine.push_back(resample(path, kSpacing_m));
+    if (path.empty()) continue;
+    fine.push_back(resample(path, std::max(kSpacing_m, path_length_m(path) / kMostPieces)));
   }
   std::vector<std::size_t> parents(fine.size());
   std::iota(parents.begin(), parents.end(), std::size_t{0});

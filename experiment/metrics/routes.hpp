@@ -22,8 +22,9 @@ namespace caravan::experiment {
 [[nodiscard]] bool is_frechet_below(std::span<const Place> a, std::span<const Place> b, double limit_m);
 
 /// Number of routes of the paths. Two paths are on the same route when they are closer than 3 m in discrete
-/// Frechet distance (resampled to 0.25 m), or when a chain of such paths connects them. Empty paths do not
-/// count.
+/// Frechet distance (resampled to 0.25 m; a path of more than 1 km, to 4000 pieces), or when a chain of such
+/// paths connects them. Empty paths do not count.
+/// @pre all places are finite
 [[nodiscard]] std::size_t count_routes(std::span<const std::vector<Place>> paths);
 
 }  // namespace caravan::experiment

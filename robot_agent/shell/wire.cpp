@@ -10,7 +10,7 @@ double seconds(Time time) { return std::chrono::duration<double>(time).count(); 
 msg::ExchangeReport to_wire(const caravan::Exchange& exchange) {
   msg::ExchangeReport report;
   report.partner(exchange.partner);
-  report.exchange_number(static_cast<std::uint16_t>(exchange.session));
+  report.exchange_number(exchange.session);
   report.primary(exchange.primary);
   report.completed(exchange.completed);
   report.began_s(seconds(exchange.began));

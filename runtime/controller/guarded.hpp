@@ -31,8 +31,7 @@ class GuardedController {
 
   /// Control characters in the details of events are escaped in the result.
   ///
-  /// @throws ControllerFault when the controller throws, its wheel speeds are not finite, or the name of an
-  /// event is not in lower_snake_case
+  /// @throws ControllerFault when the controller throws, or its outputs exceed the limits of the interface
   /// @throws WriteError when the trace cannot be written
   [[nodiscard]] Outputs step(const Inputs& inputs);
 
@@ -43,8 +42,8 @@ class GuardedController {
   [[nodiscard]] std::string where() const;
 
  private:
-  void check_report(Report& report) const;
   void look_at_radio(const Outputs& outputs);
+  [[nodiscard]] Outputs call(const Inputs& inputs);
 
   std::unique_ptr<Controller> controller_;
   std::string who_;

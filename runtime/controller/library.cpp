@@ -3,11 +3,14 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string_view>
 
 #include "runtime/config/start_error.hpp"
+#include "runtime/controller/floating_point.hpp"
+#include "runtime/pure/one_line.hpp"
 
 namespace caravan::runtime {
 namespace {
@@ -30,7 +33,17 @@ bool is_elf(const std::filesystem::path& file) {
 /// The text of what dlopen() has just refused.
 std::string why_not_loaded() { return std::string{"cannot be loaded: "} + dlerror(); }
 
+bool is_name(std::string_view text) {
+  constexpr std::size_t kLongest = 64;
+  const auto may_be_in_it = [](char one) {
+    return (one >= 'a' && one <= 'z') || (one >= '0' && one <= '9') || one == '_';
+  };
+  return !text.empty() && text.size() <= kLongest && text[0] >= 'a' && text[0] <= 'z' &&
+         std::ranges::all_of(text, may_be_in_it);
+}
+
 const ControllerLibrary& load_library(const std::filesystem::path& file) {
+  const KeptFloatingPoint kept;  // a library built with -ffast-math flushes to zero as soon as it is loaded
   // An absolute path, because dlopen() searches the system's folders for a bare name.
   void* handle = dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle == nullptr) refuse(file, why_not_loaded());
@@ -51,6 +64,11 @@ const ControllerLibrary& load_library(const std::filesystem::path& file) {
                      std::to_string(kControllerInterface) + ": build it anew");
   }
   if (library->make == nullptr) refuse(file, "has no function that makes a controller");
+  if (library->name == nullptr) refuse(file, "has no name");
+  if (!is_name(library->name)) {
+    refuse(file, "has the name \"" + pure::one_line(library->name) +
+                     "\", must be lower_snake_case, of 1 to 64 characters");
+  }
   return *library;
 }
 

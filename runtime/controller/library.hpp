@@ -18,7 +18,8 @@ struct LoadedController {
 /// It stays loaded until the process ends, because controllers of it may.
 ///
 /// @throws StartError when the file is missing, is no shared library or needs others that are missing, has no
-/// controller, or was built against another version of the interface. A file of Python is only looked for.
+/// controller or no valid name, or was built against another version of the interface. A file of Python is
+/// only looked for.
 [[nodiscard]] LoadedController load_controller(const std::filesystem::path& file);
 
 }  // namespace caravan::runtime

@@ -2,6 +2,8 @@
 #include "runtime/controller/make.hpp"
 
 #include "runtime/controller/crash_line.hpp"
+#include "runtime/controller/floating_point.hpp"
+#include "runtime/controller/thrown.hpp"
 #include "runtime/pure/one_line.hpp"
 
 namespace caravan::runtime {
@@ -29,14 +31,16 @@ std::unique_ptr<Controller> make_controller(const LoadedController& loaded, cons
   const std::string who = "controller " + pure::one_line(loaded.name) + ", robot " + std::to_string(robot.id);
   const InsideController inside{who.c_str(), 0};
   try {
+    const KeptFloatingPoint kept;
     controller = loaded.library->make(robot, parameters);
   } catch (const ParameterError& error) {
-    table.fail(error.key(), error.what());
+    table.fail(error.key(), text_of(error));
   } catch (const std::exception& error) {
-    throw StartError{who + ": cannot be made: " + error.what()};
+    throw StartError{who + ": cannot be made: " + text_of(error)};
   } catch (...) {
     throw StartError{who + ": cannot be made: its constructor threw something that is no std::exception"};
   }
+  if (!controller) throw StartError{who + ": cannot be made: the library made no controller"};
   for (const std::string& key : parameters.unknown())
     table.fail(key, "unknown key; " + keys_of(loaded.name, parameters));
   return controller;

@@ -11,7 +11,7 @@ namespace caravan::runtime {
 /// A controller for `robot`, with the keys of `table` (`[controller]`) that nobody has read yet as its
 /// parameters, and the path of its file as `library`.
 ///
-/// @throws StartError when its constructor throws, or does not ask for one of the keys
+/// @throws StartError when its constructor throws, makes none, or does not ask for one of the keys
 [[nodiscard]] std::unique_ptr<Controller> make_controller(const LoadedController& loaded, const Robot& robot,
                                                           TomlTable table);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
+#include <cfenv>
+
 #include "build_paths.hpp"
 #include "robot_agent/config/agent_config.hpp"
 #include "robot_agent/controller/controllers.hpp"
@@ -10,6 +12,7 @@
 namespace caravan::agent {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -79,8 +82,15 @@ TEST(Controllers, NameALibraryThatCannotBeUsed) {
   EXPECT_THAT(refusal(with_library("no_entry")), HasSubstr("add CARAVAN_CONTROLLER(Class, \"name\")"));
   EXPECT_THAT(refusal(with_library("other_interface")),
               HasSubstr("was built for version 2 of the controller interface, this program has version 1"));
+  EXPECT_THAT(refusal(with_library("no_name")), EndsWith("no_name.so: has no name"));
+  EXPECT_THAT(refusal(with_library("other_name")),
+              EndsWith("has the name \"My Swarm\", must be lower_snake_case, of 1 to 64 characters"));
   EXPECT_THAT(refusal(with_library("faulty", "fault = \"constructor\"\n")),
               StartsWith("controller faulty, robot 2: cannot be made: no map"));
+  EXPECT_EQ(refusal(with_library("faulty", "fault = \"constructor_throws_no_text\"\n")),
+            "controller faulty, robot 2: cannot be made: (without a text)");
+  EXPECT_EQ(refusal(with_library("makes_none")),
+            "controller makes_none, robot 2: cannot be made: the library made no controller");
 }
 
 TEST(Controllers, ArePathsFromTheScenariosFolder) {
@@ -95,6 +105,8 @@ TEST(Controllers, ThatFailAreNamedWithRobotAndStep) {
             "controller faulty, robot 2, step 3 (0.064 s): threw an exception: no such cell");
   EXPECT_EQ(fault_of("throws_a_number"),
             "controller faulty, robot 2, step 3 (0.064 s): threw something that is no std::exception");
+  EXPECT_EQ(fault_of("throws_no_text"),
+            "controller faulty, robot 2, step 3 (0.064 s): threw an exception: (without a text)");
   EXPECT_THAT(fault_of("nan"), HasSubstr("step 3 (0.064 s): wheel speeds nan and 0.1"));
   EXPECT_EQ(
       fault_of("event"),
@@ -141,6 +153,37 @@ TEST(Controllers, HaveNoControlCharactersInTheDetailsOfTheirEvents) {
   const Third third = third_step(Controllers{document}, document);
   ASSERT_TRUE(third.outputs.report);
   EXPECT_EQ(third.outputs.report->events[0].detail, "a\\nb");
+}
+
+TEST(Controllers, ThatExceedALimitOfTheOutputsAreNamedWithTheValue) {
+  const std::string where = "controller faulty, robot 2, step 3 (0.064 s): ";
+  EXPECT_EQ(fault_of("frames"), where + "frames has 1001 elements, more than 1000");
+  EXPECT_EQ(fault_of("frame_bytes"), where + "frames have 2097152 bytes together, more than 1048576");
+  EXPECT_EQ(fault_of("report_mode"), where + "report.mode = 99 is none of its enumeration");
+  EXPECT_EQ(fault_of("report_activity"), where + "report.activity = 99 is none of its enumeration");
+  EXPECT_EQ(fault_of("report_origin"), where + "report.origin = 99 is none of its enumeration");
+  EXPECT_EQ(fault_of("report_nan"), where + "report.path[1] = (1, nan) is not within 1000000 m of zero");
+  EXPECT_EQ(fault_of("report_far"), where + "report.path[1] = (1e+12, 1) is not within 1000000 m of zero");
+  EXPECT_EQ(fault_of("report_long_path"), where + "report.path has 65536 elements, more than 65535");
+  EXPECT_EQ(fault_of("report_exchanges"), where + "report.exchanges has 101 elements, more than 100");
+  EXPECT_THAT(fault_of("report_exchange_early"), StartsWith(where + "report.exchanges[0] began at -5 ns"));
+  EXPECT_THAT(fault_of("report_exchange_late"), HasSubstr("ended at 9223372036854775807 ns, must"));
+  EXPECT_EQ(fault_of("report_events"), where + "report.events has 101 elements, more than 100");
+  EXPECT_EQ(fault_of("report_long_event"), where + "report.events[0] has 5006 bytes, more than 4096");
+  EXPECT_EQ(fault_of("report_event_bytes"), where + "report.events[0].detail is not UTF-8 without NUL");
+  EXPECT_EQ(fault_of("report_event_nul"), where + "report.events[0].detail is not UTF-8 without NUL");
+  EXPECT_EQ(fault_of("report_most"), "") << "all at their limits";
+}
+
+TEST(Controllers, ChangeNoRoundingOutsideOfTheirCalls) {
+  const auto document = with_library("rounds_up");
+  const Controllers controllers{document};
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST) << "loaded";
+  auto controller = controllers.make_guarded(load_config(document, 2));
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST) << "made";
+  (void)controller.step({.now = {}, .sensors = {}, .heard = {}, .destination = {}});
+  EXPECT_EQ(std::fegetround(), FE_TONEAREST) << "called";
+  std::fesetround(FE_TONEAREST);
 }
 
 caravan::Inputs inputs_at(int step, double ahead_m) {

@@ -75,6 +75,23 @@ TEST(Parameters, RefuseADefaultOutsideItsOwnLimits) {
       << "without limits";
 }
 
+TEST(Parameters, AreFiniteAndSayOnlyTheLimitsThatThereAre) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double value : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity}) {
+    Parameters parameters{{{"gain", value}}};
+    try {
+      (void)parameters.number("gain", 1.0, {-kInfinity, kInfinity});
+      ADD_FAILURE() << value;
+    } catch (const ParameterError& error) {
+      EXPECT_STREQ(error.what(), "must be a finite number");
+    }
+  }
+  EXPECT_EQ(refusal([](Parameters& p) { (void)p.number("gain", 1.0, {.low = 2.0}); }),
+            "gain: must be at least 2, is 0.5");
+  EXPECT_EQ(refusal([](Parameters& p) { (void)p.number("gain", 1.0, {.high = -1e300}); }),
+            "gain: must be at most -1e+300, is 0.5");
+}
+
 TEST(Parameters, KnowWhichKeysNobodyHasAskedFor) {
   Parameters parameters = some();
   (void)parameters.number("gain", 1.0);

@@ -12,6 +12,7 @@ namespace caravan::agent {
 namespace {
 
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -107,6 +108,10 @@ TEST_F(PythonController, IsNamedWithRobotStepAndLineWhenItFails) {
               HasSubstr("Outputs.tuned_channel = -1, must be an integer from 0"));
   EXPECT_THAT(fault_of("frame_of_text"), HasSubstr("Frame.bytes = 'hello', must be bytes"));
   EXPECT_THAT(fault_of("no_frame"), HasSubstr("step() returned bytes where Frame is needed"));
+  EXPECT_EQ(fault_of("far_path"), where + "report.path[0] = (inf, 1) is not within 1000000 m of zero");
+  EXPECT_THAT(fault_of("calls_wrongly"),
+              HasSubstr("TypeError: wrong arguments, number() takes (key: str, otherwise"));
+  EXPECT_THAT(fault_of("calls_wrongly"), EndsWith("low: float = lowest, high: float = highest)"));
   EXPECT_EQ(fault_of("nan"), where + "wheel speeds nan and 0.100000 m/s are not finite");
 }
 

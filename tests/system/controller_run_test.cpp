@@ -101,6 +101,26 @@ TEST_F(ControllerRun, RefusesAConstructorThatFailsForAnyRobotBeforeAnythingStart
   }
 }
 
+TEST_F(ControllerRun, RefusesAReportBeyondItsLimitsInBothEngines) {
+  for (const std::string fault : {"report_far", "report_activity"}) {
+    const std::string keys = "at_step = 40\nfault = \"" + fault + "\"\n";
+    const std::vector<std::string> faulty = {"--controller", kLibraries / "faulty.so"};
+    const Ended embedded = run(keys, "embedded", fault, faulty);
+    EXPECT_EQ(embedded.exit_code, 1);
+    EXPECT_THAT(embedded.said, HasSubstr("controller faulty, robot 2, step 40 (1.248 s): report."));
+    const Ended dds = run(keys, "dds", fault + "_dds", faulty);
+    EXPECT_EQ(dds.metrics["sim_time_s"], 20.0) << "the run continues without it";
+    EXPECT_THAT(log_of(fault + "_dds", "robot_agent_2"), HasSubstr("robot 2, step 40 (1.248 s): report."));
+  }
+}
+
+TEST_F(ControllerRun, ItsRoundingDoesNotReachTheWorld) {
+  const std::vector<std::string> rounds_up = {"--controller", kLibraries / "rounds_up.so"};
+  const Ended nearest = run("in_steps = false\nin_constructor = false\n", "dds", "nearest", rounds_up);
+  ASSERT_EQ(nearest.exit_code, 0) << nearest.said;
+  EXPECT_EQ(run("", "embedded", "up", rounds_up).metrics["digest"], nearest.metrics["digest"]);
+}
+
 TEST_F(ControllerRun, DoesNotTakeAnExitOfTheControllerForItsOwn) {
   const Ended ended =
       run("at_step = 40\nfault = \"exits\"\n", "embedded", "out", {"--controller", kLibraries / "faulty.so"});

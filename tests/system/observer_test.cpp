@@ -78,6 +78,20 @@ TEST_F(ObserverOfOne, PutsAReportThatComesLateToTheStepThatItBelongsTo) {
   EXPECT_EQ(seen_[3].agent_reports[0].activity, experiment::Activity::kAvoiding);
 }
 
+TEST_F(ObserverOfOne, LeavesOutReportsBeyondTheLimits) {
+  msg::Telemetry far;
+  far.stamp(idl::to_wire(0ms));
+  far.session(7);
+  far.path_changed(true);
+  far.path().resize(2);
+  far.path()[1].x_m(std::numeric_limits<double>::infinity());
+  telemetry_.write(far);
+  report(96ms, 99);
+  ASSERT_TRUE(gives_out(9));
+  EXPECT_THAT(reports_of(0), IsEmpty());
+  EXPECT_THAT(reports_of(3), IsEmpty());
+}
+
 TEST_F(ObserverOfOne, WaitsForNoReportOfALostRobot) {
   report(0ms, msg::Telemetry_Constants::ACTIVITY_DRIVING);
   ASSERT_TRUE(gives_out(3));

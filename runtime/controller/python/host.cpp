@@ -105,6 +105,8 @@ PYBIND11_MODULE(_host, module) {
       .def("chance", &Random::chance, "probability"_a, "True with the given probability.")
       .def("normal", &Random::normal, "Standard normal.");
   constexpr Limits kAny;
+  const py::arg_v from{"low", kAny.low, "lowest"};  // with its text in messages
+  const py::arg_v to{"high", kAny.high, "highest"};
   py::class_<AskedParameters, std::shared_ptr<AskedParameters>>(
       module, "Parameters",
       "The keys of the scenario's table [controller]. Each function gives the value of a key, or "
@@ -115,14 +117,14 @@ PYBIND11_MODULE(_host, module) {
           [](AskedParameters& asked, const std::string& key, double otherwise, double low, double high) {
             return asked.get().number(key, otherwise, {low, high});
           },
-          "key"_a, "otherwise"_a, "low"_a = kAny.low, "high"_a = kAny.high)
+          "key"_a, "otherwise"_a, from, to)
       .def(
           "integer",
           [](AskedParameters& asked, const std::string& key, std::int64_t otherwise, double low,
              double high) {
             return asked.get().integer(key, otherwise, {low, high});
           },
-          "key"_a, "otherwise"_a, "low"_a = kAny.low, "high"_a = kAny.high)
+          "key"_a, "otherwise"_a, from, to)
       .def(
           "flag",
           [](AskedParameters& asked, const std::string& key, bool otherwise) {
@@ -141,7 +143,7 @@ PYBIND11_MODULE(_host, module) {
              double high) {
             return asked.get().numbers(key, otherwise, {low, high});
           },
-          "key"_a, "otherwise"_a, "low"_a = kAny.low, "high"_a = kAny.high);
+          "key"_a, "otherwise"_a, from, to);
 }
 
 }  // namespace caravan::python

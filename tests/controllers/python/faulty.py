@@ -4,7 +4,7 @@
 import sys
 
 import numpy
-from caravan_controller import Frame, Outputs, ParameterError
+from caravan_controller import Frame, Outputs, ParameterError, Position, Report
 
 
 class Faulty:
@@ -65,6 +65,13 @@ class Faulty:
     def no_frame(self, inputs, outputs):
         outputs.frames.append(b"hello")
         return outputs
+
+    def far_path(self, inputs, outputs):
+        outputs.report = Report(path=[Position(float("inf"), 1.0)])
+        return outputs
+
+    def calls_wrongly(self, inputs, outputs):
+        return self.parameters.number("speed_mps", "fast")
 
     def hangs(self, inputs, outputs):
         while True:

@@ -68,5 +68,13 @@ TEST(ExchangeAccount, MeanDurationIsOverAllReportsWithFailedAttempts) {
   EXPECT_DOUBLE_EQ(account.mean_duration_s(), 6.0);
 }
 
+TEST(ExchangeAccount, ManyLongExchangesDoNotOverflow) {
+  ExchangeAccount account;
+  for (std::uint32_t number = 0; number < 20; ++number)
+    account.add(7, session(3, number, true, seconds{0}, seconds{1'000'000'000}));
+
+  EXPECT_EQ(account.mean_duration_s(), 1e9);
+}
+
 }  // namespace
 }  // namespace caravan::experiment

@@ -57,6 +57,14 @@ TEST(CountRoutes, PathsWithinThreeMetresAreOneRoute) {
   EXPECT_EQ(count_routes(paths), 2U);
 }
 
+TEST(CountRoutes, TheLongestPathsThatMayBeReportedTakeNoLongerThanOthers) {
+  Path longest;  // 1e11 m
+  for (int i = 0; i < 65535; ++i) longest.push_back({i % 2 == 0 ? -1e6 : 1e6, i % 3 == 0 ? -1e6 : 1e6});
+  const std::vector<Path> paths = {longest, longest, line_at(0.0)};
+
+  EXPECT_EQ(count_routes(paths), 2U);
+}
+
 TEST(CountRoutes, AChainOfNearPathsIsOneRoute) {
   const std::vector<Path> paths = {line_at(0.0), line_at(5.0), line_at(2.5)};
 

@@ -24,9 +24,10 @@ class Controller {
 
   /// One step, every 32 ms unless the scenario says otherwise. Time does not go back.
   ///
-  /// Wheel speeds that are not finite, an event whose name is not in lower_snake_case, and an exception, end
-  /// the controller of this robot: the program says so by name, robot and step. A step that does not return
-  /// within 10 s is ended as well. Control characters in the detail of an event are escaped.
+  /// Wheel speeds that are not finite, a report beyond the limits in types.hpp, and an exception end the
+  /// controller of this robot: the program says so by name, robot and step. A step that does not return
+  /// within 10 s is ended as well. Control characters in the detail of an event are escaped. What a call
+  /// changes in the floating-point environment (rounding, traps, flushing to zero) is undone when it returns.
   [[nodiscard]] virtual Outputs step(const Inputs& inputs) = 0;
 };
 
@@ -36,8 +37,8 @@ inline constexpr std::uint32_t kControllerInterface = 1;
 /// What a controller library exports.
 struct ControllerLibrary {
   std::uint32_t interface = kControllerInterface;  ///< stays the first member in all versions
-  const char* name = "";                           ///< in messages and results
-  /// A controller for one robot. @throws ParameterError and whatever its constructor throws
+  const char* name = "";  ///< in messages and results: lower_snake_case, 1 to 64 characters
+  /// A controller for one robot, never null. @throws ParameterError and whatever its constructor throws
   std::unique_ptr<Controller> (*make)(const Robot& robot, Parameters& parameters) = nullptr;
 };
 
@@ -46,7 +47,7 @@ struct ControllerLibrary {
 /// Exports a controller from a shared library: once in a library, outside of all namespaces.
 ///
 /// @param Class  a caravan::Controller with a constructor (const caravan::Robot&, caravan::Parameters&)
-/// @param Name   a string literal
+/// @param Name   a string literal: lower_snake_case, 1 to 64 characters
 #define CARAVAN_CONTROLLER(Class, Name)                                                                      \
   extern "C" __attribute__((visibility("default"))) const caravan::ControllerLibrary* caravan_controller() { \
     static constexpr caravan::ControllerLibrary library{                                                     \

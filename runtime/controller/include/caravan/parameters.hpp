@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <limits>
 #include <map>
 #include <set>
@@ -25,7 +27,7 @@ class ParameterError : public std::runtime_error {
   std::string key_;
 };
 
-/// What a number may be, ends included.
+/// What a number may be, ends included. It is finite in any case.
 struct Limits {
   double low = -std::numeric_limits<double>::max();
   double high = std::numeric_limits<double>::max();
@@ -37,7 +39,8 @@ struct Limits {
 /// The constructor of a controller asks for every key that it knows. A key of the scenario that it has not
 /// asked for ends the program before the run: it may be misspelt.
 ///
-/// @throws ParameterError for a value of another type, or outside the limits, and for a default outside them
+/// @throws ParameterError for a value of another type, one that is not finite, or one outside the limits, and
+/// for a default outside them
 class Parameters {
  public:
   using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
@@ -112,14 +115,19 @@ class Parameters {
                                     short_text(limits.low) + " to " + short_text(limits.high)};
   }
   static double within(const std::string& key, double value, Limits limits) {
+    if (!std::isfinite(value)) throw ParameterError{key, "must be a finite number"};
     if (value >= limits.low && value <= limits.high) return value;
-    throw ParameterError{key, "must be from " + short_text(limits.low) + " to " + short_text(limits.high) +
-                                  ", is " + short_text(value)};
+    throw ParameterError{key, "must be " + in_words(limits) + ", is " + short_text(value)};
+  }
+  static std::string in_words(Limits limits) {
+    constexpr Limits kAny;
+    if (limits.high >= kAny.high) return "at least " + short_text(limits.low);
+    if (limits.low <= kAny.low) return "at most " + short_text(limits.high);
+    return "from " + short_text(limits.low) + " to " + short_text(limits.high);
   }
   static std::string short_text(double value) {
-    std::string text = std::to_string(value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
     return text;
   }
 

@@ -54,7 +54,17 @@ struct Inputs {
   std::optional<Position> destination;
 };
 
-/// A frame to send, of at most Radio::mtu_bytes.
+/// Limits of one step's Outputs. A step that exceeds one ends the controller; so does a value that is none of
+/// its enumeration.
+inline constexpr std::size_t kMostFrames = 1000;
+inline constexpr std::size_t kMostFrameBytes = std::size_t{1} << 20U;  ///< of all its frames
+inline constexpr std::size_t kMostPathPoints = 65535;
+inline constexpr double kFarthest_m = 1e6;  ///< of a coordinate of a reported path, positive or negative
+inline constexpr std::size_t kMostExchanges = 100;
+inline constexpr std::size_t kMostEvents = 100;
+inline constexpr std::size_t kMostEventBytes = 4096;  ///< of the name and the detail of one event
+
+/// A frame to send, of at most Radio::mtu_bytes. The radio drops a longer one.
 struct Frame {
   std::uint32_t channel = 0;
   std::vector<std::uint8_t> bytes;
@@ -63,7 +73,7 @@ struct Frame {
 /// Something worth a line in the run's list of events.
 struct Event {
   std::string name;    ///< in lower_snake_case
-  std::string detail;  ///< key=value pairs
+  std::string detail;  ///< key=value pairs; UTF-8 without NUL
 };
 
 /// One attempt to exchange paths with another robot.
@@ -72,8 +82,8 @@ struct Exchange {
   std::uint32_t session = 0;  ///< number that the partners agreed on; 0: none
   bool primary = false;       ///< this robot asked for it
   bool completed = false;
-  Time began{0};
-  Time ended{0};
+  Time began{0};  ///< from 0 to `ended`
+  Time ended{0};  ///< at most Inputs::now
 };
 
 enum class Mode : std::uint8_t { kExplore, kTransport };  ///< does the robot know a path?
@@ -89,10 +99,10 @@ struct Report {
   bool towards_destination = false;    ///< direction of travel along the path
   std::uint32_t trips = 0;             ///< pick-ups so far
   std::uint64_t malformed_frames = 0;  ///< heard so far that were not of its protocol
-  /// From the source to the destination. None: as in the report before.
+  /// From the source to the destination. None: as in the report before. At most kMostPathPoints, all finite.
   std::optional<std::vector<Position>> path;
-  std::vector<Exchange> exchanges;  ///< ended in this step
-  std::vector<Event> events;        ///< of this step
+  std::vector<Exchange> exchanges;  ///< ended in this step; at most kMostExchanges
+  std::vector<Event> events;        ///< of this step; at most kMostEvents
 };
 
 /// What one step decides.

@@ -3,6 +3,7 @@
 
 import itertools
 import os
+import re
 import sys
 import traceback
 import types
@@ -64,6 +65,12 @@ def make(file, robot, parameters):
     return _class_in(_run(file))(robot, parameters)
 
 
+def _in_one_line(text):
+    """The text of an error. That of a call of the host with wrong arguments has many lines: this call, and all that are possible."""
+    call = re.match(r"(\w+)\(\): incompatible \w+ arguments\..*?1\. [\w.]*\((?:self: [^,)]*(?:, )?)?(.*?)\)(?: ->|\n)", text, re.DOTALL)
+    return f"wrong arguments, {call[1]}() takes ({call[2]})" if call else text
+
+
 def describe(error, file):
     """mine.py:12: ValueError: too far. The line is the last one in the controller's own file: that of its outermost call."""
     place = os.path.basename(file)
@@ -73,7 +80,7 @@ def describe(error, file):
         own = calls[0][0]
         place = f"{os.path.basename(own)}:{[line for name, line in calls if name == own][-1]}"
     try:
-        text = str(error)
+        text = _in_one_line(str(error))
     except Exception:  # pylint: disable=broad-exception-caught
         text = "(its text cannot be had)"
     if isinstance(error, SyntaxError) and error.filename == file:

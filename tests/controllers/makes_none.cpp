@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// A library that makes no controller.
+#include <caravan/controller.hpp>
+
+extern "C" __attribute__((visibility("default"))) const caravan::ControllerLibrary* caravan_controller() {
+  static constexpr caravan::ControllerLibrary library{
+      .name = "makes_none", .make = [](const caravan::Robot&, caravan::Parameters&) {
+        return std::unique_ptr<caravan::Controller>{};
+      }};
+  return &library;
+}
