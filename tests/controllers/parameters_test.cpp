@@ -43,11 +43,11 @@ TEST(Parameters, RefuseAnotherTypeAndAValueOutsideTheLimits) {
   EXPECT_EQ(refusal([](Parameters& p) { (void)p.integer("gain", 1); }), "gain: must be an integer");
   EXPECT_EQ(refusal([](Parameters& p) { (void)p.flag("count", true); }), "count: must be true or false");
   EXPECT_EQ(refusal([](Parameters& p) {
-              (void)p.number("gain", 1.0, {0.0, 0.25});
+              (void)p.number("gain", 0.1, {0.0, 0.25});
             }),
             "gain: must be from 0 to 0.25, is 0.5");
   EXPECT_EQ(refusal([](Parameters& p) {
-              (void)p.integer("count", 1, {10, 20});
+              (void)p.integer("count", 10, {10, 20});
             }),
             "count: must be from 10 to 20, is 3");
   EXPECT_EQ(refusal([](Parameters& p) {
@@ -86,9 +86,9 @@ TEST(Parameters, AreFiniteAndSayOnlyTheLimitsThatThereAre) {
       EXPECT_STREQ(error.what(), "must be a finite number");
     }
   }
-  EXPECT_EQ(refusal([](Parameters& p) { (void)p.number("gain", 1.0, {.low = 2.0}); }),
+  EXPECT_EQ(refusal([](Parameters& p) { (void)p.number("gain", 3.0, {.low = 2.0}); }),
             "gain: must be at least 2, is 0.5");
-  EXPECT_EQ(refusal([](Parameters& p) { (void)p.number("gain", 1.0, {.high = -1e300}); }),
+  EXPECT_EQ(refusal([](Parameters& p) { (void)p.number("gain", -2e300, {.high = -1e300}); }),
             "gain: must be at most -1e+300, is 0.5");
 }
 
