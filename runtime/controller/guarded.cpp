@@ -13,9 +13,10 @@
 namespace caravan::runtime {
 namespace {
 
+/// Without NUL, which no detail may have.
 bool is_control(char one) {
   const auto byte = static_cast<unsigned char>(one);
-  return byte < 0x20 || byte == 0x7f;
+  return (byte > 0 && byte < 0x20) || byte == 0x7f;
 }
 
 /// Of any length, unlike one_line().
@@ -49,9 +50,9 @@ Outputs GuardedController::step(const Inputs& inputs) {
   now_ = inputs.now;
   if (trace_) trace_->ask(inputs);
   Outputs outputs = call(inputs);
+  if (outputs.report) escape_details(*outputs.report);  // makes them longer
   if (const std::string fault = fault_in(outputs, now_); !fault.empty())
     throw ControllerFault{where() + ": " + fault};
-  if (outputs.report) escape_details(*outputs.report);
   look_at_radio(outputs);
   if (trace_) trace_->answer(outputs);
   return outputs;

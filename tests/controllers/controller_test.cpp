@@ -170,6 +170,7 @@ TEST(Controllers, ThatExceedALimitOfTheOutputsAreNamedWithTheValue) {
   EXPECT_THAT(fault_of("report_exchange_late"), HasSubstr("ended at 9223372036854775807 ns, must"));
   EXPECT_EQ(fault_of("report_events"), where + "report.events has 101 elements, more than 100");
   EXPECT_EQ(fault_of("report_long_event"), where + "report.events[0] has 5006 bytes, more than 4096");
+  EXPECT_EQ(fault_of("report_long_escaped_event"), where + "report.events[0] has 6006 bytes, more than 4096");
   EXPECT_EQ(fault_of("report_event_bytes"), where + "report.events[0].detail is not UTF-8 without NUL");
   EXPECT_EQ(fault_of("report_event_nul"), where + "report.events[0].detail is not UTF-8 without NUL");
   EXPECT_EQ(fault_of("report_most"), "") << "all at their limits";

@@ -68,6 +68,7 @@ class Faulty final : public caravan::Controller {
     if (fault == "exchange_late") report.exchanges.push_back({.partner = 1, .ended = caravan::Time::max()});
     if (fault == "events") report.events.resize(101, {"turned", ""});
     if (fault == "long_event") report.events.push_back({"turned", std::string(5000, 'x')});
+    if (fault == "long_escaped_event") report.events.push_back({"turned", std::string(3000, '\n')});
     if (fault == "event_bytes") report.events.push_back({"turned", "by=\xff"});
     if (fault == "event_nul") report.events.push_back({"turned", std::string(1, '\0')});
     if (fault == "most") {
