@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A controller that breaks the rule that the scenario names, on robot 2 only.
+// A controller that breaks the rule that the scenario names, on robot 2 only; "constructors_are_slow" is one
+// of all robots.
 #include <caravan/controller.hpp>
 #include <chrono>
 #include <cstdio>
@@ -15,12 +16,19 @@ class Faulty final : public caravan::Controller {
   Faulty(const caravan::Robot& robot, caravan::Parameters& parameters)
       : fault_{robot.id == 2 ? parameters.text("fault", "none") : "none"},
         at_step_{parameters.integer("at_step", 3, {1, 1e9})} {
-    (void)parameters.text("fault", "none");
+    if (parameters.text("fault", "none") == "constructors_are_slow")
+      std::this_thread::sleep_for(std::chrono::seconds{3});
     if (fault_ == "constructor") throw std::runtime_error{"no map"};
     if (fault_ == "constructor_hangs") hang();
     if (fault_ == "constructor_aborts") std::abort();
     if (fault_ == "constructor_exits") std::exit(0);
   }
+  ~Faulty() override {
+    if (fault_ == "destructor_hangs") hang();
+    if (fault_ == "destructor_aborts") std::abort();
+  }
+  Faulty(const Faulty&) = delete;
+  Faulty& operator=(const Faulty&) = delete;
 
   caravan::Outputs step(const caravan::Inputs& /*inputs*/) override {
     caravan::Outputs outputs;

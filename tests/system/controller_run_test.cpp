@@ -90,9 +90,14 @@ TEST_F(ControllerRun, RefusesABadLibraryBeforeAnythingStarts) {
 TEST_F(ControllerRun, RefusesAConstructorThatFailsForAnyRobotBeforeAnythingStarts) {
   const std::vector<std::pair<std::string, std::string>> faults = {
       {"constructor", "controller faulty, robot 2: cannot be made: no map"},
-      {"constructor_hangs", "is not made within 10 s"},
-      {"constructor_aborts", "by signal 6 (Aborted)"},
-      {"constructor_exits", "by exit code 0"}};
+      {"constructor_hangs", "controller faulty, robot 2: its constructor has not returned for 10 s"},
+      {"constructor_aborts",
+       "controller faulty, robot 2: its constructor ended the process that made it, by signal 6 (Aborted)"},
+      {"constructor_exits",
+       "controller faulty, robot 2: its constructor ended the process that made it, by exit code 0"},
+      {"destructor_hangs", "controller faulty, robot 2: its destructor has not returned for 10 s"},
+      {"destructor_aborts",
+       "controller faulty, robot 2: its destructor ended the process that made it, by signal 6 (Aborted)"}};
   for (const auto& [fault, said] : faults) {
     const Ended ended =
         run("fault = \"" + fault + "\"\n", "embedded", fault, {"--controller", kLibraries / "faulty.so"});
@@ -100,6 +105,16 @@ TEST_F(ControllerRun, RefusesAConstructorThatFailsForAnyRobotBeforeAnythingStart
     EXPECT_THAT(ended.said, HasSubstr(said));
     EXPECT_FALSE(fs::exists(folder_ / fault));
   }
+}
+
+/// Four robots: together they take longer than one may.
+TEST_F(ControllerRun, GivesEachConstructorItsTime) {
+  const fs::path file = folder_ / "mine.toml";
+  test::write_file(file, read_file(test::scenario("small.toml")) +
+                             "\n[controller]\nfault = \"constructors_are_slow\"\nlibrary = \"" +
+                             (kLibraries / "faulty.so").string() + "\"\n");
+  Process process{{"caravan", "check", file}, folder_ / "log"};
+  EXPECT_EQ(process.wait(test::kPatience), 0) << process.output();
 }
 
 TEST_F(ControllerRun, DoesNotTakeAnExitOfTheControllerForItsOwn) {
