@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A controller that breaks the rule that the scenario names, on robot 2 only; "constructors_are_slow" is one
 // of all robots.
+#include <unistd.h>
+
 #include <caravan/controller.hpp>
 #include <chrono>
 #include <cstdio>
@@ -22,6 +24,7 @@ class Faulty final : public caravan::Controller {
     if (fault_ == "constructor_hangs") hang();
     if (fault_ == "constructor_aborts") std::abort();
     if (fault_ == "constructor_exits") std::exit(0);
+    if (fault_ == "constructor_forks") (void)fork();
   }
   ~Faulty() override {
     if (fault_ == "destructor_hangs") hang();
