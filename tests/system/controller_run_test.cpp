@@ -221,6 +221,14 @@ TEST_F(ControllerRun, GoesOnOverDdsWithoutTheRobotWhoseControllerFailed) {
   }
 }
 
+TEST_F(ControllerRun, IsDisturbedWhenTheOnlyProcessOfAllRobotsFails) {
+  const Ended ended = run("at_step = 200\nfault = \"throws\"\n", "dds", "out",
+                          {"--controller", kLibraries / "faulty.so", "--agents-per-process", "4"});
+  EXPECT_EQ(ended.exit_code, 1) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("every agent has ended"));
+  EXPECT_EQ(ended.metrics["disturbed"], true);
+}
+
 TEST_F(ControllerRun, NamesTheControllerThatFailedWhenTheRunEndsAtOnce) {
   const std::vector<std::pair<std::string, std::string>> faults = {
       {"throws", "threw an exception: no such cell"},
