@@ -79,6 +79,10 @@ std::vector<fs::path> write_project(const std::string& name, const fs::path& tem
   const std::vector<fs::path> models = files_in(templates);
   const fs::path folder = name;
   std::error_code error;
+  (void)fs::current_path(error);
+  if (error)
+    throw runtime::StartError{
+        "caravan new: the folder in which you are no longer exists: change to another one (cd ~)"};
   if (fs::exists(fs::symlink_status(folder, error)))
     throw runtime::StartError{"caravan new: " + name + " exists already: choose another name, or remove it"};
   fs::create_directory(folder, error);

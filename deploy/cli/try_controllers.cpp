@@ -11,10 +11,13 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <memory>
+#include <string_view>
 
 #include "robot_agent/config/agent_config.hpp"
 #include "robot_agent/controller/controllers.hpp"
 #include "runtime/controller/call_watch.hpp"
+#include "runtime/pure/one_line.hpp"
 #include "runtime/scenario/shared_tables.hpp"
 
 namespace caravan::deploy {
@@ -22,45 +25,105 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kPatience{10};
-constexpr char kGood = '+';
-constexpr char kRefused = '-';
+// What the process of its own tells: records of one of these kinds, a text, and kEnd.
+constexpr char kCall = '~';     ///< what is called from now on
+constexpr char kGood = '+';     ///< the last one: the controller's name
+constexpr char kRefused = '-';  ///< the last one: why
+constexpr char kEnd = '\0';
 
-std::string make_all(const runtime::TomlDocument& scenario, const std::string& controller) {
+/// In the process of its own.
+class Teller {
+ public:
+  explicit Teller(int file) : file_{file} {}
+  /// A process that the controller has forked has nothing to tell, and ends.
+  void tell(char kind, const std::string& text) const {
+    if (getpid() != told_by_) _exit(0);
+    const std::string record = kind + std::string{text.c_str()} + kEnd;
+    (void)!write(file_, record.data(), record.size());
+  }
+
+ private:
+  int file_;
+  pid_t told_by_ = getpid();
+};
+
+std::string make_all(const runtime::TomlDocument& scenario, const std::string& controller,
+                     const Teller& teller) {
   const agent::Controllers controllers{scenario, controller};
   agent::Config config = agent::load_config(scenario, 1);
   for (std::uint32_t robot = 1; robot <= runtime::read_robots(scenario).count; ++robot) {
     config.id.value = static_cast<std::uint16_t>(robot);
-    (void)controllers.make(config);
+    const std::string who =
+        "controller " + pure::one_line(controllers.name()) + ", robot " + std::to_string(robot) + ": ";
+    teller.tell(kCall, who + "its constructor");
+    std::unique_ptr<Controller> made = controllers.make(config);
+    teller.tell(kCall, who + "its destructor");
+    made.reset();
   }
   return controllers.name();
 }
 
-/// In the process of its own: kGood and the name, or kRefused and why.
-std::string verdict(const runtime::TomlDocument& scenario, const std::string& controller) {
+[[noreturn]] void be_the_process(const runtime::TomlDocument& scenario, const std::string& controller,
+                                 int file) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const Teller teller{file};
   try {
-    return kGood + make_all(scenario, controller);
-  } catch (const runtime::StartError& error) {
-    return kRefused + std::string{error.what()};
+    teller.tell(kGood, make_all(scenario, controller, teller));
+  } catch (const std::exception& error) {
+    teller.tell(kRefused, error.what());
   }
+  _exit(0);
+}
+
+/// What has been read of the records.
+struct Told {
+  std::string called;
+  std::string verdict;  ///< the first of the last records, with its kind; empty: none yet
+  std::string rest;     ///< the beginning of a record
+
+  /// @return whether there was a whole record
+  bool take(std::string_view text) {
+    rest += text;
+    bool is_news = false;
+    for (std::size_t end = 0; verdict.empty() && (end = rest.find(kEnd)) != std::string::npos;) {
+      is_news = true;
+      if (rest.front() == kCall)
+        called = rest.substr(1, end - 1);
+      else
+        verdict = rest.substr(0, end);
+      rest.erase(0, end + 1);
+    }
+    return is_news;
+  }
+};
+
+/// Also when the system keeps no ends of children, because this process was started with SIGCHLD ignored.
+bool has_ended(pid_t child) {
+  siginfo_t info{};
+  return waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0;
 }
 
 enum class Read : std::uint8_t { kAll, kTimeIsUp, kStop };
 
-/// Until the other end is closed, time is up, or the process is told to stop.
-Read read_all(int file, std::string& text) {
+/// Until the verdict or the end of the child, time is up for one call, or this process is told to stop. The
+/// end of the file alone says nothing: the controller may close it, or a process that it has forked keep it.
+Read read_all(int file, pid_t child, Told& told) {
   constexpr std::chrono::milliseconds kTick{100};  // bounds the delay in noticing a signal
-  const Clock::time_point end = Clock::now() + kPatience;
+  Clock::time_point end = Clock::now() + runtime::CallWatch::kLongestCall;
   std::array<char, 4096> part{};
-  while (Clock::now() < end) {
+  while (told.verdict.empty()) {
     if (runtime::stop_is_pending()) return Read::kStop;
+    if (Clock::now() >= end) return Read::kTimeIsUp;
+    const bool ended = has_ended(child);
     pollfd one{.fd = file, .events = POLLIN, .revents = 0};
-    if (poll(&one, 1, static_cast<int>(kTick.count())) <= 0) continue;
-    const ssize_t size = read(file, part.data(), part.size());
-    if (size <= 0) return Read::kAll;
-    text.append(part.data(), static_cast<std::size_t>(size));
+    const bool has_more = poll(&one, 1, ended ? 0 : static_cast<int>(kTick.count())) > 0;
+    const ssize_t size = has_more ? read(file, part.data(), part.size()) : 0;
+    if (size <= 0 && ended) return Read::kAll;
+    if (size <= 0 && has_more) file = -1;  // poll() only waits from now on
+    if (size > 0 && told.take({part.data(), static_cast<std::size_t>(size)}))
+      end = Clock::now() + runtime::CallWatch::kLongestCall;
   }
-  return Read::kTimeIsUp;
+  return Read::kAll;
 }
 
 std::string how_it_ended(int status) {
@@ -78,30 +141,22 @@ std::string try_controllers(const runtime::TomlDocument& scenario, const std::st
     throw runtime::StartError{std::string{"pipe: "} + std::strerror(errno)};
   const pid_t child = fork();
   if (child < 0) throw runtime::StartError{std::string{"fork: "} + std::strerror(errno)};
-  if (child == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const std::string text = verdict(scenario, controller);
-    (void)!write(ends[1], text.data(), text.size());
-    _exit(0);
-  }
+  if (child == 0) be_the_process(scenario, controller, ends[1]);
   close(ends[1]);
-  std::string text;
-  const Read how = read_all(ends[0], text);
-  close(ends[0]);
+  Told told{.called = "controller " + controller + ": its loading", .verdict = {}, .rest = {}};
+  const Read how = read_all(ends[0], child, told);
   if (how != Read::kAll) kill(child, SIGKILL);
   int status = 0;
   waitpid(child, &status, 0);
+  close(ends[0]);
   if (how == Read::kStop) throw Interrupted{};
   if (how == Read::kTimeIsUp) {
-    throw runtime::StartError{"controller " + controller + ": is not made within " +
-                              std::to_string(kPatience.count()) + " s: a constructor does not return"};
+    throw runtime::StartError{told.called + " " + to_text(runtime::CallWatch::Reason::kTooLong)};
   }
-  if (text.empty()) {
-    throw runtime::StartError{"controller " + controller + ": ended the process that made it, by " +
-                              how_it_ended(status)};
-  }
-  if (text.front() == kRefused) throw runtime::StartError{text.substr(1)};
-  return text.substr(1);
+  if (told.verdict.empty())
+    throw runtime::StartError{told.called + " ended the process that made it, by " + how_it_ended(status)};
+  if (told.verdict.front() == kRefused) throw runtime::StartError{told.verdict.substr(1)};
+  return told.verdict.substr(1);
 }
 
 }  // namespace caravan::deploy

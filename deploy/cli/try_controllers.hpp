@@ -15,8 +15,8 @@ struct Interrupted {};
 ///
 /// @param controller  as Controllers takes it
 /// @return the controller's name
-/// @throws runtime::StartError when one cannot be made, the library ends its process, or all of it takes more
-/// than 10 s; Interrupted at a signal that a runtime::Loop has blocked
+/// @throws runtime::StartError when one cannot be made, the library ends its process, or its loading, a
+/// constructor or a destructor takes more than 10 s; Interrupted at a signal that a runtime::Loop has blocked
 [[nodiscard]] std::string try_controllers(const runtime::TomlDocument& scenario,
                                           const std::string& controller);
 

@@ -99,6 +99,7 @@ class DdsRun {
   bool stepped_ = false;
   std::size_t agent_processes_ = 0;
   bool radio_ended_ = false;
+  bool lost_a_process_ = false;  // in the run; the world may not have noticed it before the run ends
   std::string failure_;
   bool could_not_start_ = false;
   bool interrupted_ = false;
@@ -178,12 +179,14 @@ void DdsRun::take_end(const runtime::Ended& one) {
     failure_ = how + ", and the run had not begun";
     could_not_start_ = one.name != "world_server" || one.exit_code != runtime::kFailed;
   } else if (one.name.starts_with("robot_agent")) {
+    lost_a_process_ = lost_a_process_ || !decided_;
     --agent_processes_;
     std::fprintf(stderr, "%s\n", how.c_str());
     if (agent_processes_ == 0) failure_ = "every agent has ended; the last was " + how;
   } else if (one.name == "world_server" || (request_.trace && one.exit_code == runtime::kFailed)) {
     failure_ = how;  // without its radio's part a trace is useless
   } else {
+    lost_a_process_ = lost_a_process_ || !decided_;
     radio_ended_ = true;
     std::fprintf(stderr, "%s; the robots continue without it\n", how.c_str());
   }
@@ -237,6 +240,7 @@ bool DdsRun::have_last_statuses() const {
 
 experiment::RunEnd DdsRun::so_far() const {
   experiment::RunEnd end = run_end(newest_.world, newest_.radio, newest_.agents_compute_s);
+  end.disturbed = end.disturbed || lost_a_process_;
   end.strangers = newest_.strangers;
   end.interrupted = interrupted_;
   end.failure = failure_;

@@ -39,7 +39,12 @@ RunRecord::RunRecord(RunFacts facts, std::filesystem::path folder, std::FILE* ou
       files_{folder_, facts_.robots},
       spare_{folder_, room_for_last_words(facts_.robots)},
       progress_{out},
-      flushed_{ProgressLine::Clock::now()} {}
+      flushed_{ProgressLine::Clock::now()} {
+  attempt([this] {
+    files_.flush();
+    write_summary({}, false);
+  });
+}
 
 void RunRecord::observe(const Observation& observation) {
   metrics_.observe(observation);

@@ -16,9 +16,10 @@ namespace caravan::experiment {
 
 /// Processes the observations of an engine: metrics, the files of the run and the progress line.
 ///
-/// Files are flushed and metrics.json and paths.csv are rewritten once a second of wall time, so that the
-/// death of the process loses nothing older. When the disk is full the record ends: all rows up to then are
-/// whole, and metrics.json, for which space was reserved, gives the reason.
+/// All files exist from the beginning. They are flushed, and metrics.json and paths.csv are rewritten, once a
+/// second of wall time, so that the death of the process loses nothing older. When the disk is full the
+/// record ends: all rows up to then are whole, and metrics.json, for which space was reserved, gives the
+/// reason.
 class RunRecord {
  public:
   /// @param folder  exists and belongs to this run

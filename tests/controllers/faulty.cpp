@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A controller that breaks the rule that the scenario names, on robot 2 only.
+// A controller that breaks the rule that the scenario names, on robot 2 only; "constructors_are_slow" is one
+// of all robots.
+#include <unistd.h>
+
 #include <caravan/controller.hpp>
 #include <chrono>
 #include <cstdio>
@@ -16,14 +19,22 @@ class Faulty final : public caravan::Controller {
   Faulty(const caravan::Robot& robot, caravan::Parameters& parameters)
       : fault_{robot.id == 2 ? parameters.text("fault", "none") : "none"},
         at_step_{parameters.integer("at_step", 3, {1, 1e9})} {
-    (void)parameters.text("fault", "none");
     if (fault_ == "default") (void)parameters.number("gain", 3.0, {0.0, 2.0});
+    if (parameters.text("fault", "none") == "constructors_are_slow")
+      std::this_thread::sleep_for(std::chrono::seconds{3});
     if (fault_ == "constructor") throw std::runtime_error{"no map"};
     if (fault_ == "constructor_throws_no_text") throw NoText{};
     if (fault_ == "constructor_hangs") hang();
     if (fault_ == "constructor_aborts") std::abort();
     if (fault_ == "constructor_exits") std::exit(0);
+    if (fault_ == "constructor_forks") (void)fork();
   }
+  ~Faulty() override {
+    if (fault_ == "destructor_hangs") hang();
+    if (fault_ == "destructor_aborts") std::abort();
+  }
+  Faulty(const Faulty&) = delete;
+  Faulty& operator=(const Faulty&) = delete;
 
   caravan::Outputs step(const caravan::Inputs& /*inputs*/) override {
     caravan::Outputs outputs;

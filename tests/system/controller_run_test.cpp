@@ -89,9 +89,14 @@ TEST_F(ControllerRun, RefusesABadLibraryBeforeAnythingStarts) {
 TEST_F(ControllerRun, RefusesAConstructorThatFailsForAnyRobotBeforeAnythingStarts) {
   const std::vector<std::pair<std::string, std::string>> faults = {
       {"constructor", "controller faulty, robot 2: cannot be made: no map"},
-      {"constructor_hangs", "is not made within 10 s"},
-      {"constructor_aborts", "by signal 6 (Aborted)"},
-      {"constructor_exits", "by exit code 0"}};
+      {"constructor_hangs", "controller faulty, robot 2: its constructor has not returned for 10 s"},
+      {"constructor_aborts",
+       "controller faulty, robot 2: its constructor ended the process that made it, by signal 6 (Aborted)"},
+      {"constructor_exits",
+       "controller faulty, robot 2: its constructor ended the process that made it, by exit code 0"},
+      {"destructor_hangs", "controller faulty, robot 2: its destructor has not returned for 10 s"},
+      {"destructor_aborts",
+       "controller faulty, robot 2: its destructor ended the process that made it, by signal 6 (Aborted)"}};
   for (const auto& [fault, said] : faults) {
     const Ended ended =
         run("fault = \"" + fault + "\"\n", "embedded", fault, {"--controller", kLibraries / "faulty.so"});
@@ -119,6 +124,16 @@ TEST_F(ControllerRun, ItsRoundingDoesNotReachTheWorld) {
   const Ended nearest = run("in_steps = false\nin_constructor = false\n", "dds", "nearest", rounds_up);
   ASSERT_EQ(nearest.exit_code, 0) << nearest.said;
   EXPECT_EQ(run("", "embedded", "up", rounds_up).metrics["digest"], nearest.metrics["digest"]);
+}
+
+/// Four robots: together they take longer than one may.
+TEST_F(ControllerRun, GivesEachConstructorItsTime) {
+  const fs::path file = folder_ / "mine.toml";
+  test::write_file(file, read_file(test::scenario("small.toml")) +
+                             "\n[controller]\nfault = \"constructors_are_slow\"\nlibrary = \"" +
+                             (kLibraries / "faulty.so").string() + "\"\n");
+  Process process{{"caravan", "check", file}, folder_ / "log"};
+  EXPECT_EQ(process.wait(test::kPatience), 0) << process.output();
 }
 
 TEST_F(ControllerRun, DoesNotTakeAnExitOfTheControllerForItsOwn) {
@@ -231,6 +246,14 @@ TEST_F(ControllerRun, SaysOnceThatTheRadioDropsFramesInBothEngines) {
   const Ended dds = run(keys, "dds", "dds", {"--max-time", "2"});
   EXPECT_EQ(dds.exit_code, 0);
   EXPECT_THAT(log_of("dds", "robot_agent_2"), HasSubstr(" warning robot_agent: " + said));
+}
+
+TEST_F(ControllerRun, IsDisturbedWhenTheOnlyProcessOfAllRobotsFails) {
+  const Ended ended = run("at_step = 200\nfault = \"throws\"\n", "dds", "out",
+                          {"--controller", kLibraries / "faulty.so", "--agents-per-process", "4"});
+  EXPECT_EQ(ended.exit_code, 1) << ended.said;
+  EXPECT_THAT(ended.said, HasSubstr("every agent has ended"));
+  EXPECT_EQ(ended.metrics["disturbed"], true);
 }
 
 TEST_F(ControllerRun, NamesTheControllerThatFailedWhenTheRunEndsAtOnce) {

@@ -22,6 +22,11 @@ nlohmann::json metrics_of(const fs::path& folder) {
   return nlohmann::json::parse(read_file(folder / "metrics.json"));
 }
 
+/// How far metrics.json goes, s; 0 before it exists.
+double known_s(const fs::path& folder) {
+  return fs::exists(folder / "metrics.json") ? metrics_of(folder)["sim_time_s"].get<double>() : 0.0;
+}
+
 /// How a run with this command line ends, and its output. Its log lies outside the folder that it fills.
 struct Ending {
   std::optional<int> exit_code;
@@ -95,7 +100,7 @@ TEST(EmbeddedRun, AnInterruptClosesTheRecordsAndEndsWithOneHundredAndThirty) {
     const test::ScratchFolder folder;
     const fs::path out = folder / "out";
     Process process{endless(out), folder / "log"};
-    ASSERT_TRUE(eventually([&] { return fs::exists(out / "metrics.json"); }, kPatience));
+    ASSERT_TRUE(eventually([&] { return known_s(out) > 0.0; }, kPatience));
     process.signal(number);
 
     EXPECT_EQ(process.wait(kPatience), 130);
@@ -111,14 +116,14 @@ TEST(EmbeddedRun, AKillLosesNoRecordOlderThanASecond) {
   const test::ScratchFolder folder;
   const fs::path out = folder / "out";
   Process process{endless(out), folder / "log"};
-  ASSERT_TRUE(eventually([&] { return fs::exists(out / "metrics.json"); }, kPatience));
-  const double known_s = metrics_of(out)["sim_time_s"];
+  ASSERT_TRUE(eventually([&] { return known_s(out) > 1.0; }, kPatience));
+  const double known = known_s(out);
   process.signal(SIGKILL);
 
   EXPECT_EQ(process.wait(kPatience), 128 + SIGKILL);
   EXPECT_EQ(metrics_of(out)["ended"], false);
   // tracks.csv covers the time in metrics.json: it has the rows of the last whole second.
-  const std::string second = "\n" + std::to_string(static_cast<long>(known_s) - 1) + ".";
+  const std::string second = "\n" + std::to_string(static_cast<long>(known) - 1) + ".";
   EXPECT_THAT(read_file(out / "tracks.csv"), testing::HasSubstr(second));
 }
 

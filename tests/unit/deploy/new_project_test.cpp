@@ -2,6 +2,10 @@
 #include "deploy/cli/new_project.hpp"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 
 #include "runtime/config/start_error.hpp"
 
@@ -35,6 +39,27 @@ TEST(NewProject, NamesTheMissingTemplates) {
   } catch (const runtime::StartError& error) {
     EXPECT_STREQ(error.what(), "caravan new: /nowhere/templates is missing: install Caravan anew");
   }
+}
+
+TEST(NewProject, SaysWhatToDoInAFolderThatWasRemoved) {
+  namespace fs = std::filesystem;
+  const fs::path before = fs::current_path();
+  const fs::path models = fs::temp_directory_path() / ("new_project_" + std::to_string(getpid()));
+  const fs::path gone = models.string() + "_gone";
+  fs::create_directory(models);
+  fs::create_directory(gone);
+  std::ofstream{models / "my_swarm.cpp"} << "class MySwarm;";
+  fs::current_path(gone);
+  fs::remove(gone);
+  std::string said;
+  try {
+    (void)write_project("flock", models);
+  } catch (const runtime::StartError& error) {
+    said = error.what();
+  }
+  fs::current_path(before);
+  fs::remove_all(models);
+  EXPECT_EQ(said, "caravan new: the folder in which you are no longer exists: change to another one (cd ~)");
 }
 
 }  // namespace

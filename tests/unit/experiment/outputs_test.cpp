@@ -204,6 +204,8 @@ TEST_F(Outputs, ARecordLeavesAllItsFilesAndTheExitCode) {
                        .items = 1,
                        .max_time = seconds{100}};
   RunRecord record{facts, folder_, nullptr};
+  EXPECT_THAT(lines_of("metrics.json"), testing::Contains("  \"ended\": false,")) << "from the beginning";
+  EXPECT_THAT(lines_of("tracks.csv"), testing::SizeIs(1));
   AgentReport report = doing(1, Activity::kDriving);
   report.path_changed = true;
   report.path = {{0, 0}, {1.5, 2}};
