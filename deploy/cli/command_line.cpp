@@ -115,9 +115,9 @@ void add_sweep_options(CLI::App& sweep, SweepCommand& command) {
   add_changes(sweep, command.overrides);
   add_set(sweep, command.sets,
           "Values for a key of the scenario, such as radio.range_m=2,4; repeatable, and then every "
-          "combination is "
-          "run (see docs/sweeps.md)");
-  sweep.add_option("--plan", command.plan, "File of a larger plan (TOML, see docs/sweeps.md)")
+          "combination is run; see " +
+              runtime::page("sweeps.md"));
+  sweep.add_option("--plan", command.plan, "File of a larger plan (TOML); see " + runtime::page("sweeps.md"))
       ->check(complaint_about_name);
   command.jobs = std::max(1U, std::thread::hardware_concurrency());
   sweep.add_option("--jobs", command.jobs, "Number of parallel runs; default: one per processor")

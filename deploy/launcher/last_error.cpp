@@ -14,6 +14,7 @@ constexpr std::streamoff kEnd_bytes = 65536;  // a controller may have printed m
 /// `<time> error <program>: <message>`, as run_process logs, or what a crash handler writes without a time.
 std::string_view message_of(std::string_view line) {
   if (line.starts_with("controller ") && line.find(", robot ") != std::string_view::npos) return line;
+  if (line.empty() || line.front() < '0' || line.front() > '9') return {};  // the time comes first
   const std::size_t severity = line.find(' ');
   if (severity == std::string_view::npos) return {};
   const std::string_view rest = line.substr(severity + 1);

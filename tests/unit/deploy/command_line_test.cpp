@@ -66,7 +66,7 @@ TEST(CommandLine, ARerunTakesTheFolderOfARun) {
   EXPECT_EQ(std::get<RerunCommand>(full).engine, "embedded");
   EXPECT_EQ(std::get<RerunCommand>(full).out, "/tmp/x");
   EXPECT_TRUE(std::get<RerunCommand>(full).quiet);
-  EXPECT_EQ(std::get<RerunCommand>(full).command_line.size(), 7U);
+  EXPECT_EQ(std::get<RerunCommand>(full).command_line.size(), 8U);
   EXPECT_THAT(complaint({"rerun"}), testing::HasSubstr("run"));
   EXPECT_THAT(complaint({"rerun", "a", "--engine", "gazebo"}), testing::HasSubstr("gazebo"));
 }
