@@ -101,7 +101,7 @@ TEST_F(StepAgent, NamesTheFirstStepThatAChangedParameterAnswersOtherwise) {
   const Ended near = step_agent(traced, {"--scenario", scenario_with(library + "sight_m = 1.4\n")});
   EXPECT_EQ(near.exit_code, 1);
   EXPECT_THAT(near.said, ContainsRegex("^step [0-9]+ \\([0-9.]+ s\\): robot 3 answer\\.(left|right)_mps: "
-                                       "-?[0-9.e-]+ \\| -?[0-9.e-]+\n"));
+                                       "-?[0-9.e-]+ \\| -?[0-9.e-]+"));
 }
 
 TEST_F(StepAgent, ComparesAllThatAControllerAnswers) {
@@ -194,7 +194,7 @@ TEST_F(StepAgent, HasNoDeadlineAtATerminal) {
   const fs::path faulty = scenario_with("at_step = 1\nfault = \"hangs\"\nlibrary = \"" + kFaulty + "\"\n");
   const std::string line = (fs::path{CARAVAN_BIN_DIR} / "caravan").string() + " step-agent " +
                            traced.string() + " --robot 2 --scenario " + faulty.string();
-  Process process{{"/usr/bin/script", "-q", "-e", "-c", line, "/dev/null"}, folder_ / "log"};
+  test::PatientProcess process{{"/usr/bin/script", "-q", "-e", "-c", line, "/dev/null"}, folder_ / "log"};
   ASSERT_TRUE(process.prints("faulty hangs", kPatience)) << process.output();
   EXPECT_EQ(process.wait(12s), std::nullopt) << "10 s are over: " << process.output();
   process.signal(SIGTERM);
