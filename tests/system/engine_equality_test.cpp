@@ -27,8 +27,10 @@ nlohmann::json run(const fs::path& scenario, const std::string& engine, const st
 }
 
 /// Everything that must not depend on the engine: all but its name and the wall time.
+/// Without what differs between two engines: times, and the command line in the provenance.
 nlohmann::json without_wall_time(nlohmann::json metrics) {
-  for (const char* key : {"engine", "wall_time_s", "real_time_factor", "time_split"}) metrics.erase(key);
+  for (const char* key : {"engine", "wall_time_s", "real_time_factor", "time_split", "provenance"})
+    metrics.erase(key);
   return metrics;
 }
 
