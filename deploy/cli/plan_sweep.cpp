@@ -106,7 +106,7 @@ void refuse_size(std::size_t points, std::size_t runs_of_point) {
 experiment::SweepPlan plan_sweep(const SweepCommand& command) {
   const auto original = runtime::TomlDocument::load(command.scenario);
   // First, because only the original has the line numbers.
-  (void)check_tables(original, controller_of(original, command.overrides));
+  const auto facts = check_tables(original, controller_of(original, command.overrides));
   experiment::SweepPlan plan{.scenario = name_of(original),
                              .scenario_text = effective_text(original, command.overrides),
                              .engine = command.engine,
@@ -114,7 +114,6 @@ experiment::SweepPlan plan_sweep(const SweepCommand& command) {
                              .seeds = runtime::read_number_list(command.seeds, kSeeds),
                              .runs = {}};
   const std::string name = changed_name(command);
-  const auto facts = check_scenario(runtime::TomlDocument::parse(plan.scenario_text, name));
   Design design = read_design(command);
   refuse_clashes(design, command.overrides);
   make_controllers_absolute(design, command.scenario);

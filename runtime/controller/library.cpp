@@ -3,13 +3,13 @@
 
 #include <dlfcn.h>
 
-#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string_view>
 
 #include "runtime/config/start_error.hpp"
 #include "runtime/controller/floating_point.hpp"
+#include "runtime/controller/snake_case.hpp"
 #include "runtime/pure/one_line.hpp"
 
 namespace caravan::runtime {
@@ -35,11 +35,7 @@ std::string why_not_loaded() { return std::string{"cannot be loaded: "} + dlerro
 
 bool is_name(std::string_view text) {
   constexpr std::size_t kLongest = 64;
-  const auto may_be_in_it = [](char one) {
-    return (one >= 'a' && one <= 'z') || (one >= '0' && one <= '9') || one == '_';
-  };
-  return !text.empty() && text.size() <= kLongest && text[0] >= 'a' && text[0] <= 'z' &&
-         std::ranges::all_of(text, may_be_in_it);
+  return text.size() <= kLongest && is_lower_snake_case(text);
 }
 
 const ControllerLibrary& load_library(const std::filesystem::path& file) {

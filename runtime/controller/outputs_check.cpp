@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/controller/outputs_check.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string_view>
 
+#include "runtime/controller/snake_case.hpp"
 #include "runtime/pure/one_line.hpp"
 
 namespace caravan::runtime {
@@ -92,13 +92,6 @@ std::string fault_in(const std::vector<Exchange>& exchanges, Time now) {
            std::to_string(one.ended.count()) + " ns, must begin from 0 on, end later, and not after now";
   }
   return "";
-}
-
-bool is_lower_snake_case(const std::string& name) {
-  const auto is_letter = [](char one) { return one >= 'a' && one <= 'z'; };
-  return !name.empty() && is_letter(name.front()) && std::ranges::all_of(name, [&](char one) {
-    return is_letter(one) || (one >= '0' && one <= '9') || one == '_';
-  });
 }
 
 std::string fault_in(const std::vector<Event>& events) {
