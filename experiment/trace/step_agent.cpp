@@ -38,7 +38,12 @@ std::filesystem::path trace_of(const StepAgentRequest& request) {
 /// One robot's part of a trace: what its controller was given and, unless it failed, what it answered.
 class RobotTrace {
  public:
-  explicit RobotTrace(const std::filesystem::path& file) : reader_{file, runtime::kRobotTrace} {}
+  /// @throws runtime::StartError when the file is no trace, or that of another robot
+  RobotTrace(const std::filesystem::path& file, std::uint32_t robot) : reader_{file, runtime::kRobotTrace} {
+    if (reader_.number() != robot)
+      throw runtime::StartError{file.string() + ": is the trace of robot " +
+                                std::to_string(reader_.number()) + ", not of robot " + std::to_string(robot)};
+  }
 
   /// @return false: no whole record is left
   [[nodiscard]] bool next_inputs(caravan::Inputs& inputs) { return next(inputs, read_inputs); }
@@ -142,7 +147,7 @@ int show(RobotTrace& trace, Candidate& candidate, const caravan::Inputs& inputs,
 int step_agent(const StepAgentRequest& request, std::FILE* out) {
   runtime::name_crashing_controllers(runtime::kCouldNotStart);
   const std::filesystem::path file = trace_of(request);
-  RobotTrace trace{file};
+  RobotTrace trace{file, request.robot};
   Candidate candidate{request};
   caravan::Inputs inputs;
   caravan::Outputs recorded;

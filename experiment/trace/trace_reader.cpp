@@ -17,6 +17,9 @@ constexpr std::uint32_t kLongestStep = 1U << 28U;
 }  // namespace
 
 TraceReader::TraceReader(std::filesystem::path file, const std::string& part) : file_{std::move(file)} {
+  std::error_code error;
+  if (std::filesystem::exists(file_, error) && !std::filesystem::is_regular_file(file_, error))
+    throw runtime::StartError{file_.string() + ": is no regular file; `caravan run --trace` records one"};
   in_.open(file_, std::ios::binary);
   if (!in_) throw runtime::StartError{file_.string() + ": cannot be read; `caravan run --trace` records one"};
   std::string heading;

@@ -13,7 +13,8 @@ namespace caravan::experiment {
 class TraceReader {
  public:
   /// @param part  as in runtime::trace_heading()
-  /// @throws runtime::StartError when the file does not exist or is not a trace of this part
+  /// @throws runtime::StartError when the file does not exist, is no regular file, or is not a trace of this
+  /// part
   TraceReader(std::filesystem::path file, const std::string& part);
 
   /// Reads the bytes of the next step into `step`. @return false: no whole step is left

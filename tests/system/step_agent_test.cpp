@@ -229,6 +229,14 @@ TEST_F(StepAgent, NamesWhatIsMissingOrDamaged) {
   EXPECT_THAT(complaint(traced, {"--controller", "missing.so"}, "3"),
               HasSubstr("missing.so: there is no such file"));
 
+  fs::copy_file(traced / "trace/robot_1.trace", traced / "trace/robot_2.trace",
+                fs::copy_options::overwrite_existing);
+  EXPECT_THAT(complaint(traced, {}, "2"),
+              HasSubstr("/trace/robot_2.trace: is the trace of robot 1, not of robot 2"));
+  fs::remove(traced / "trace/robot_2.trace");
+  ASSERT_EQ(mkfifo((traced / "trace/robot_2.trace").c_str(), 0600), 0);
+  EXPECT_THAT(complaint(traced, {}, "2"), HasSubstr("/trace/robot_2.trace: is no regular file"));
+
   const fs::path file = traced / "trace/robot_3.trace";
   const std::string whole = read_file(file);
   const std::size_t begin = whole.find('\n') + 1;
